@@ -4,16 +4,20 @@
 <%@ taglib prefix="fn" uri="jakarta.tags.functions" %>
 <%@ taglib prefix="t" tagdir="/WEB-INF/tags" %>
 <c:set var="root" value="${pageContext.request.contextPath}"/>
-<fmt:message key="newTask.title" var="title"/>
+<c:set var="edits" value="${not empty task}"/>
+<fmt:message key="${edits ? 'task.edit.title' : 'newTask.title'}" var="title"><fmt:param value="${task.task.id}"/></fmt:message>
 <fmt:message key="newTask.map" var="mapLabel"/>
 <t:page title="${title}" here="task" script="tasks/new-task.js">
   <h1>${title}</h1>
-  <p class="faint"><fmt:message key="newTask.intro"/></p>
+  <p class="faint"><fmt:message key="${edits ? 'task.edit.intro' : 'newTask.intro'}"/></p>
   <t:errors/>
   <div class="columns pick">
-    <form class="task" method="post" action="${root}/tasks/new" novalidate>
+    <form class="task" method="post" action="${root}/tasks/${edits ? task.task.id += '/edit' : 'new'}" novalidate>
       <t:csrf/>
-      <input type="hidden" name="idempotencyKey" value="<c:out value="${idempotencyKey}"/>">
+      <c:choose>
+        <c:when test="${edits}"><t:version/></c:when>
+        <c:otherwise><input type="hidden" name="idempotencyKey" value="<c:out value="${idempotencyKey}"/>"></c:otherwise>
+      </c:choose>
       <t:field name="name" label="newTask.name" hint="newTask.name.hint" focus="true"/>
       <t:field name="load" label="newTask.load" inputmode="decimal"/>
       <c:choose>
@@ -44,8 +48,10 @@
       <div class="grid">
         <div>
           <label for="priority"><fmt:message key="newTask.priority"/></label>
+          <c:set var="priority" value="${empty param.priority ? '0' : param.priority}"/>
           <select id="priority" name="priority">
-            <c:forTokens items="10,0,-10" delims="," var="level"><option value="${level}" ${level == (empty param.priority ? '0' : param.priority) ? 'selected' : ''}><fmt:message key="newTask.priority.${level}"/></option></c:forTokens>
+            <c:if test="${edits and priority != '10' and priority != '0' and priority != '-10'}"><option value="${fn:escapeXml(priority)}" selected>${fn:escapeXml(priority)}</option></c:if>
+            <c:forTokens items="10,0,-10" delims="," var="level"><option value="${level}" ${level == priority ? 'selected' : ''}><fmt:message key="newTask.priority.${level}"/></option></c:forTokens>
           </select>
         </div>
         <fieldset class="size" ${not empty errors['size.length'] or not empty errors['size.width'] or not empty errors.size ? 'aria-invalid="true"' : ''}>
@@ -57,9 +63,10 @@
         </fieldset>
       </div>
       <label for="deadline"><fmt:message key="newTask.deadline"/></label>
-      <input id="deadline" name="deadline" type="datetime-local" value="${fn:escapeXml(param.deadline)}" ${empty errors.deadline ? '' : 'aria-invalid="true"'} aria-describedby="deadline-help">
+      <input id="deadline" name="deadline" type="datetime-local" value="${fn:escapeXml(param.deadline)}" ${empty deadlineInUtc ? '' : 'data-in-utc'} ${empty errors.deadline ? '' : 'aria-invalid="true"'} aria-describedby="deadline-help">
       <small id="deadline-help"><c:choose><c:when test="${not empty errors.deadline}"><bdi><c:out value="${errors.deadline}"/></bdi></c:when><c:otherwise><fmt:message key="newTask.deadline.zone"/>${" "}<bdi id="zone-name"><fmt:message key="newTask.deadline.utc"/></bdi></c:otherwise></c:choose></small>
       <input type="hidden" id="zone" name="zone" value="UTC">
+      <c:if test="${not edits}">
       <c:set var="when" value="${empty param.when ? 'now' : param.when}"/>
       <label for="when"><fmt:message key="schedule.when"/></label>
       <select id="when" name="when">
@@ -94,7 +101,11 @@
         <input id="until" name="until" type="datetime-local" value="${fn:escapeXml(param.until)}" ${empty errors.until ? '' : 'aria-invalid="true"'} aria-describedby="until-help">
         <small id="until-help"><bdi><c:out value="${errors.until}"/></bdi></small>
       </div>
-      <button><fmt:message key="newTask.submit"/></button>
+      </c:if>
+      <div class="choices">
+        <button><fmt:message key="${edits ? 'task.edit.submit' : 'newTask.submit'}"/></button>
+        <c:if test="${edits}"><a role="button" class="outline secondary" href="${root}/tasks/${task.task.id}"><fmt:message key="common.cancel"/></a></c:if>
+      </div>
     </form>
     <div class="picker">
       <fieldset class="choice">

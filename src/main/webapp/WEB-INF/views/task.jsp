@@ -64,6 +64,7 @@
           </c:forTokens>
         </c:url>
         · <a href="<c:out value="${again}"/>"><fmt:message key="task.duplicate"/></a>
+        <c:if test="${mayChange and task.state == 'QUEUED' and empty task.loadAt}">· <a href="${root}/tasks/${task.task.id}/edit"><fmt:message key="task.edit"/></a></c:if>
       </article>
       <article>
         <h2><fmt:message key="task.history"/></h2>
@@ -76,7 +77,12 @@
       </article>
     </div>
   </div>
-  <article class="card" id="actions" data-live="task-actions" data-name="${task.task.id}" ${mayChange and (leftLoad or not task.state.isEnded()) ? '' : 'hidden'}>
+  <form class="choices follow" method="post" action="${root}/tasks/${task.task.id}/${followed ? 'unfollow' : 'follow'}">
+    <t:csrf/>
+    <button class="outline secondary" aria-describedby="follow-help"><fmt:message key="task.${followed ? 'unfollow' : 'follow'}"/></button>
+    <small id="follow-help" class="faint"><fmt:message key="task.follow.${followed ? 'on' : 'off'}"/></small>
+  </form>
+  <article class="card" id="actions" data-live="task-actions" data-name="${task.task.id}" ${mayChange ? '' : 'hidden'}>
     <h2><fmt:message key="task.actions"/></h2>
     <c:if test="${mayChange and leftLoad}">
       <p><fmt:message key="task.loadRemoved.help"/></p>
@@ -84,6 +90,16 @@
         <t:csrf/>
         <button class="outline"><fmt:message key="task.loadRemoved"/></button>
       </form>
+    </c:if>
+    <c:if test="${mayChange and task.state.isEnded() and not leftLoad}">
+      <details>
+        <summary role="button" class="outline secondary"><fmt:message key="task.delete"/></summary>
+        <form method="post" action="${root}/tasks/${task.task.id}/delete">
+          <t:csrf/>
+          <p><fmt:message key="task.delete.sure"/></p>
+          <button class="danger"><fmt:message key="task.delete.submit"/></button>
+        </form>
+      </details>
     </c:if>
     <c:if test="${mayChange and not task.state.isEnded()}">
       <c:if test="${not empty task.needs}">

@@ -5,7 +5,7 @@
 <%@ taglib prefix="t" tagdir="/WEB-INF/tags" %>
 <c:set var="root" value="${pageContext.request.contextPath}"/>
 <fmt:message key="tasks.title" var="title"/>
-<c:set var="filters" value="state,text,user,robot,from,until"/>
+<c:set var="filters" value="state,text,user,robot,from,until,followed"/>
 <t:page title="${title}" here="task" script="shared/live.js">
   <div class="heading">
     <div>
@@ -13,6 +13,7 @@
       <c:if test="${empty errors and (count > 0 or not isFiltered)}"><p class="faint"><fmt:message key="tasks.count"><fmt:param value="${count}"/></fmt:message></p></c:if>
     </div>
     <div class="choices">
+      <a role="button" class="outline secondary" href="${root}/tasks?followed=true"><fmt:message key="tasks.followed"/></a>
       <a role="button" class="outline secondary" href="${root}/history"><fmt:message key="tasks.history"/></a>
       <a role="button" class="outline secondary" href="${root}/schedules"><fmt:message key="tasks.schedules"/></a>
       <a role="button" class="outline secondary" href="${root}/tasks/import"><fmt:message key="tasks.import"/></a>
@@ -20,6 +21,7 @@
     </div>
   </div>
   <c:if test="${not empty imported}"><p class="notice good" role="status"><fmt:message key="tasks.imported"><fmt:param value="${imported}"/></fmt:message></p></c:if>
+  <c:if test="${not empty deleted}"><p class="notice good" role="status"><fmt:message key="tasks.deleted"><fmt:param value="${deleted}"/></fmt:message></p></c:if>
   <details ${isFiltered or not empty errors ? 'open' : ''}>
     <summary><fmt:message key="tasks.filter"/></summary>
     <form method="get" action="${root}/tasks" class="filter">
@@ -50,10 +52,11 @@
           </c:forEach>
         </select>
       </label>
+      <label class="check"><input type="checkbox" name="followed" value="true" ${param.followed == 'true' ? 'checked' : ''}> <fmt:message key="tasks.filter.followed"/></label>
       <button><fmt:message key="history.filter"/></button>
     </form>
   </details>
-  <c:forTokens items="state,sort" delims="," var="name"><c:if test="${not empty errors[name]}"><p class="notice bad"><bdi><c:out value="${errors[name]}"/></bdi></p></c:if></c:forTokens>
+  <c:forTokens items="state,sort,followed" delims="," var="name"><c:if test="${not empty errors[name]}"><p class="notice bad"><bdi><c:out value="${errors[name]}"/></bdi></p></c:if></c:forTokens>
   <div id="live" data-live="tasks">
     <c:if test="${empty errors and empty tasks}"><p class="notice"><fmt:message key="${isFiltered ? 'tasks.filter.none' : 'tasks.empty'}"/></p></c:if>
     <c:if test="${not empty tasks}">

@@ -10,6 +10,8 @@ public enum EventKind {
   TASK_AT_OBJECT("task.at-object"),
   TASK_CANCELLED("task.cancelled"),
   TASK_DELIVERED("task.delivered"),
+  TASK_DELETED("task.deleted"),
+  TASK_EDITED("task.edited"),
   TASK_EXCHANGED("task.exchanged"),
   TASK_HANDED_OVER("task.handed-over"),
   TASK_HELD("task.held"),
@@ -110,6 +112,7 @@ public enum EventKind {
       case MissionEvent.Hold ignored -> TASK_HELD;
       case MissionEvent.Resume ignored -> TASK_RESUMED;
       case MissionEvent.Prioritise ignored -> TASK_PRIORITISED;
+      case MissionEvent.Edit ignored -> TASK_EDITED;
       case MissionEvent.Answer ignored -> TASK_ANSWERED;
       case MissionEvent.HandOver ignored -> TASK_HANDED_OVER;
       case MissionEvent.LoadFetched ignored -> TASK_LOAD_FETCHED;

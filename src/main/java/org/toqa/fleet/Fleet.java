@@ -9,6 +9,7 @@ import org.jspecify.annotations.Nullable;
 import org.toqa.geometry.Pose;
 import org.toqa.grid.FloorMap;
 import org.toqa.mission.MissionEvent;
+import org.toqa.mission.TransportTask;
 import org.toqa.wording.Sentence;
 
 /**
@@ -114,6 +115,21 @@ public interface Fleet {
 
   /** An operator command to a task: to cancel it, to hold it, to answer what it asks. */
   CompletionStage<Answer<TaskView>> commandTask(long task, MissionEvent.OperatorCommand command);
+
+  /**
+   * A person orders something else of a task that no robot has.
+   *
+   * @param seen what he has seen of the task: if its order is not so any more, the change is
+   *     outdated; null: whatever it is
+   */
+  CompletionStage<Answer<TaskView>> editTask(
+      long task, TaskOrder order, @Nullable TransportTask seen, String user);
+
+  /**
+   * A person deletes a task that has ended: it is in no list and in no statistics any more. What
+   * the history says of it stays.
+   */
+  CompletionStage<Answer<TaskView>> deleteTask(TaskView task, String user);
 
   /** All robots hold, those that connect later too. No safety function. */
   CompletionStage<Answer<Optional<Hold>>> pauseAll(String user);

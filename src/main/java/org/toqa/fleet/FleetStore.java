@@ -120,6 +120,13 @@ public interface FleetStore {
     saveMissions(List.of(new MissionChange(mission, at, events)));
   }
 
+  /**
+   * Deletes a task that has ended and whose load does not lie on the floor; its events stay.
+   *
+   * @return false: it is no such task; nothing has changed then
+   */
+  boolean deleteTask(long task, EventRecord event);
+
   /** Replaces the robot's last drive, and remembers its sequence number. */
   void saveDrive(String robot, StoredDrive drive);
 

@@ -41,6 +41,7 @@ public interface TaskArchive {
    * @param text a part of its name, in upper or lower case, or its number
    * @param from the first moment at which it was asked for
    * @param until the first moment after it
+   * @param follower the id of the account that follows it
    */
   record Filter(
       Set<TaskState> states,
@@ -48,8 +49,9 @@ public interface TaskArchive {
       @Nullable String user,
       @Nullable String text,
       @Nullable Instant from,
-      @Nullable Instant until) {
-    public static final Filter ANY = new Filter(Set.of(), null, null, null, null, null);
+      @Nullable Instant until,
+      @Nullable Long follower) {
+    public static final Filter ANY = new Filter(Set.of(), null, null, null, null, null, null);
   }
 
   /** In which order; what is alike comes newest first. */

@@ -127,9 +127,13 @@ public record Mission(
 
   /** Whether the user has seen another state than this one, and does not know it. */
   public boolean isOutdated(MissionEvent.OperatorCommand command) {
-    return command instanceof MissionEvent.Prioritise(String _, int _, Integer seen)
-        && seen != null
-        && seen != task.priority();
+    return switch (command) {
+      case MissionEvent.Prioritise(String _, int _, Integer seen) ->
+          seen != null && seen != task.priority();
+      case MissionEvent.Edit(String _, TransportTask _, TransportTask seen) ->
+          seen != null && !seen.isOrderedAs(task);
+      default -> false;
+    };
   }
 
   public Optional<Objection> objectionTo(MissionEvent.OperatorCommand command) {
@@ -153,6 +157,7 @@ public record Mission(
       case MissionEvent.Hold e -> OperatorCommandRules.hold(this, e);
       case MissionEvent.Resume e -> OperatorCommandRules.resume(this, e);
       case MissionEvent.Prioritise e -> OperatorCommandRules.prioritise(this, e);
+      case MissionEvent.Edit e -> OperatorCommandRules.edit(this, e);
       case MissionEvent.Answer e -> TroubleRules.answer(this, e);
       case MissionEvent.HandOver e -> OperatorCommandRules.handOver(this, e);
       case MissionEvent.RemoveLoad e ->
@@ -234,6 +239,11 @@ public record Mission(
   Mission withPriority(int priority) {
     return new Mission(
         task.withPriority(priority), state, assignedRobots, held, ending, setDownPlace, trouble);
+  }
+
+  Mission withOrder(TransportTask order) {
+    return new Mission(
+        task.withOrder(order), state, assignedRobots, held, ending, setDownPlace, trouble);
   }
 
   Mission withOwner(String user, long owner) {

@@ -91,6 +91,16 @@ public sealed interface MissionEvent {
     }
   }
 
+  /**
+   * Something else is ordered of a task that waits.
+   *
+   * @param order what is wanted now; its user and the moment it came stay those of the task
+   * @param seen what the user has seen of the task: if anything of its order is not so any more,
+   *     nothing is changed; null: whatever it is
+   */
+  record Edit(String user, TransportTask order, @Nullable TransportTask seen)
+      implements OperatorCommand {}
+
   record Answer(String user, Reply reply) implements OperatorCommand {}
 
   /**

@@ -17,6 +17,7 @@ final class OperatorCommandRules {
       case MissionEvent.Hold ignored -> objectionToChange(mission);
       case MissionEvent.Resume ignored -> objectionToChange(mission);
       case MissionEvent.Prioritise ignored -> objectionToChange(mission);
+      case MissionEvent.Edit ignored -> objectionToEdit(mission);
       case MissionEvent.Answer answer -> objectionToAnswer(mission, answer);
       case MissionEvent.HandOver ignored -> objectionToChange(mission);
       case MissionEvent.RemoveLoad ignored ->
@@ -51,6 +52,13 @@ final class OperatorCommandRules {
     return mission.state().isEnded()
         ? Optional.of(Objection.of(Phrase.TASK_HAS_ENDED.with(mission.id())))
         : Optional.empty();
+  }
+
+  /** What was fetched once is no longer as it was ordered. */
+  private static Optional<Objection> objectionToEdit(Mission mission) {
+    return mission.state() == TaskState.QUEUED && mission.setDownPlace() == null
+        ? Optional.empty()
+        : Optional.of(Objection.of(Phrase.TASK_WAITS_NO_MORE.with(mission.id())));
   }
 
   private static Optional<Objection> objectionToAnswer(
@@ -107,6 +115,22 @@ final class OperatorCommandRules {
         : mission
             .withPriority(event.priority())
             .step(List.of(), Phrase.PRIORITY_CHANGED.with(event.user(), before, event.priority()));
+  }
+
+  static Mission.Step edit(Mission mission, MissionEvent.Edit event) {
+    TransportTask before = mission.task();
+    Mission edited = mission.withOrder(event.order());
+    return edited.equals(mission)
+        ? mission.unchangedStep()
+        : edited.step(
+            List.of(),
+            Phrase.TASK_EDITED.with(
+                event.user(),
+                Sentence.verbatim(before.name()),
+                before.load(),
+                before.start().sentence(),
+                before.goal().sentence(),
+                before.priority()));
   }
 
   static Mission.Step handOver(Mission mission, MissionEvent.HandOver event) {

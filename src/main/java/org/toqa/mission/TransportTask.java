@@ -68,6 +68,28 @@ public record TransportTask(
         id, name, load, start, goal, floor, priority, deadline, size, newUser, newOwner, createdAt);
   }
 
+  /** Whether the same is ordered of both, whoever did it and when. */
+  public boolean isOrderedAs(TransportTask other) {
+    return withOrder(other).equals(this);
+  }
+
+  /** The same task, of which that is ordered. */
+  TransportTask withOrder(TransportTask order) {
+    return new TransportTask(
+        id,
+        order.name,
+        order.load,
+        order.start,
+        order.goal,
+        order.floor,
+        order.priority,
+        order.deadline,
+        order.size,
+        user,
+        owner,
+        createdAt);
+  }
+
   TransportTask withPriority(int changed) {
     return new TransportTask(
         id, name, load, start, goal, floor, changed, deadline, size, user, owner, createdAt);

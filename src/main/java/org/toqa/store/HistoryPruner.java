@@ -11,9 +11,13 @@ import org.toqa.persistence.StoreException;
 public final class HistoryPruner {
   private static final int BATCH_SIZE = 1000;
 
-  /** An event of a task stays as long as its task. */
+  /** An event of a task stays as long as its task, where nobody has deleted that. */
   private static final String OLD_EVENTS =
-      "delete from events where at < :before and task_id is null limit " + BATCH_SIZE;
+      """
+      delete from events where at < :before and (task_id is null
+        or not exists (select 1 from tasks where tasks.id = events.task_id)) limit
+      """
+          + BATCH_SIZE;
 
   private static final String OLD_UTILISATION =
       "delete from robot_use where at < :before limit " + BATCH_SIZE;

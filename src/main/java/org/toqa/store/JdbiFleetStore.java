@@ -247,6 +247,18 @@ public final class JdbiFleetStore implements FleetStore, TaskArchive {
   }
 
   @Override
+  public boolean deleteTask(long task, EventRecord event) {
+    return sql.inTransaction(
+        h -> {
+          boolean isDeleted = TaskTable.delete(h, task);
+          if (isDeleted) {
+            EventTable.addAll(h, List.of(event));
+          }
+          return isDeleted;
+        });
+  }
+
+  @Override
   public List<TaskView> tasks(Filter filter, Sort sort, int offset, int limit) {
     String order = TaskQuery.orderBy(sort) + " limit :limit offset :offset";
     return sql.withHandle(

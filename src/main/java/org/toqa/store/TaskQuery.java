@@ -45,6 +45,12 @@ final class TaskQuery {
     if (filter.until() != null) {
       add("created_at < :until", "until", filter.until());
     }
+    if (filter.follower() != null) {
+      add(
+          "exists (select 1 from traces f where f.task_id = tasks.id and f.user_id = :follower)",
+          "follower",
+          filter.follower());
+    }
   }
 
   private void addText(String text) {

@@ -8,6 +8,7 @@ import java.util.Map;
 import java.util.UUID;
 import java.util.function.BiFunction;
 import org.jdbi.v3.core.Handle;
+import org.jdbi.v3.core.statement.Update;
 import org.jspecify.annotations.Nullable;
 import org.toqa.fleet.FleetStore.Submission;
 import org.toqa.mission.AssignedRobot;
@@ -30,38 +31,61 @@ final class TaskTable {
    */
   static TransportTask add(Handle h, Submission submission, @Nullable Long owner) {
     TransportTask task = submission.task();
-    LoadSize size = task.size();
     long id =
-        h.createUpdate(
-                """
+        bindOrder(
+                h.createUpdate(
+                    """
                       insert into tasks (name, user_id, user_name, floor, load_kg, load_length, load_width,
                         start_x, start_y, start_station, goal_x, goal_y, goal_station, priority, deadline,
                         state, created_at, changed_at, submission)
                       values (:name, :owner, :user, :floor, :load,
                         :length, :width, :startX, :startY, :startStation, :goalX, :goalY, :goalStation,
                         :priority, :deadline, 'QUEUED', :at, :at, :submission)
-                      """)
-            .bind("name", task.name())
+                      """),
+                task)
             .bind("owner", owner)
             .bind("user", task.user())
-            .bind("floor", task.floor())
-            .bind("load", task.load())
-            .bind("length", size == null ? null : size.length())
-            .bind("width", size == null ? null : size.width())
-            .bind("startX", task.start().position().x())
-            .bind("startY", task.start().position().y())
-            .bind("startStation", task.start().station())
-            .bind("goalX", task.goal().position().x())
-            .bind("goalY", task.goal().position().y())
-            .bind("goalStation", task.goal().station())
-            .bind("priority", task.priority())
-            .bind("deadline", task.deadline())
             .bind("at", task.createdAt())
             .bind("submission", submission.idempotencyKey())
             .executeAndReturnGeneratedKeys("id")
             .mapTo(Long.class)
             .one();
     return task.withId(id).withOwner(task.user(), owner);
+  }
+
+  /** What is ordered of the task. */
+  private static Update bindOrder(Update statement, TransportTask task) {
+    LoadSize size = task.size();
+    return statement
+        .bind("name", task.name())
+        .bind("floor", task.floor())
+        .bind("load", task.load())
+        .bind("length", size == null ? null : size.length())
+        .bind("width", size == null ? null : size.width())
+        .bind("startX", task.start().position().x())
+        .bind("startY", task.start().position().y())
+        .bind("startStation", task.start().station())
+        .bind("goalX", task.goal().position().x())
+        .bind("goalY", task.goal().position().y())
+        .bind("goalStation", task.goal().station())
+        .bind("priority", task.priority())
+        .bind("deadline", task.deadline());
+  }
+
+  /**
+   * Deletes an ended task whose load does not lie on the floor.
+   *
+   * @return false: it is no such task
+   */
+  static boolean delete(Handle h, long task) {
+    return h.createUpdate(
+                """
+                delete from tasks where id = :id
+                  and (state = 'DONE' or state in ('FAILED', 'CANCELLED') and set_down_x is null)
+                """)
+            .bind("id", task)
+            .execute()
+        == 1;
   }
 
   static void withdraw(Handle h, UUID key) {
@@ -76,21 +100,25 @@ final class TaskTable {
     TaskPlace setDown = mission.setDownPlace();
     Trouble trouble = mission.trouble();
     TaskPlace place = trouble == null ? null : trouble.place();
-    h.createUpdate(
-            """
+    bindOrder(
+            h.createUpdate(
+                """
             update tasks set user_id = (select id from users where id = :owner), user_name = :user,
+              name = :name, floor = :floor, load_kg = :load, load_length = :length, load_width = :width,
+              start_x = :startX, start_y = :startY, start_station = :startStation,
+              goal_x = :goalX, goal_y = :goalY, goal_station = :goalStation, deadline = :deadline,
               state = :state, changed_at = :at, priority = :priority, held = :held, ending = :ending,
               assigned_at = coalesce(assigned_at, :assigned), delivered_at = coalesce(delivered_at, :delivered),
               set_down_x = :setDownX, set_down_y = :setDownY, trouble_robot = :troubleRobot,
               trouble_why = :troubleWhy, trouble_said = :troubleSaid, trouble_x = :troubleX,
               trouble_y = :troubleY, trouble_waits = :troubleWaits
             where id = :id
-            """)
+            """),
+            mission.task())
         .bind("owner", mission.task().owner())
         .bind("user", mission.task().user())
         .bind("state", mission.state().name())
         .bind("at", at)
-        .bind("priority", mission.task().priority())
         .bind("assigned", mission.state().isAssigned() ? at : null)
         .bind("delivered", mission.state().isDelivered() ? at : null)
         .bind("held", mission.held())

@@ -11,6 +11,7 @@ import org.toqa.accounts.SessionStore;
 import org.toqa.fleet.Fleet;
 import org.toqa.fleet.ScheduleStore;
 import org.toqa.fleet.TaskArchive;
+import org.toqa.fleet.TaskTraces;
 import org.toqa.fleet.history.EventArchive;
 import org.toqa.fleet.history.StatisticsArchive;
 import org.toqa.fleet.history.TrackStore;
@@ -19,6 +20,7 @@ import org.toqa.fleet.history.TrackStore;
 public record Services(
     Fleet fleet,
     TaskArchive archive,
+    TaskTraces traces,
     EventArchive history,
     TrackStore tracks,
     ScheduleStore schedules,

@@ -201,6 +201,9 @@ public enum Phrase {
   // Why a task cannot do what an operator command asks
   DELIVERED_ALREADY,
   TASK_HAS_ENDED,
+  TASK_WAITS_NO_MORE,
+  TASK_HAS_NOT_ENDED,
+  LOAD_IS_STILL_THERE,
   TASK_ASKS_NOTHING,
   ANSWER_WITH_ONE_OF,
 
@@ -289,6 +292,8 @@ public enum Phrase {
   TASK_PUT_ON_HOLD,
   TASK_LET_GO_ON,
   PRIORITY_CHANGED,
+  TASK_EDITED,
+  TASK_DELETED,
   TASK_HANDED_OVER,
   SAID_TO_WAIT,
   GAVE_TO_ANOTHER,

@@ -6,6 +6,13 @@ import {text} from '../shared/texts.js';
 import '../shared/time-zone.js';
 import {TaskPreview} from './task-preview.js';
 
+// A form that is filled in UTC is read in the reader's own time zone.
+const filled = document.querySelector('#deadline[data-in-utc]');
+if (filled?.value) {
+  const moment = new Date(`${filled.value}Z`);
+  filled.value = new Date(moment - 60000 * moment.getTimezoneOffset()).toISOString().slice(0, 16);
+}
+
 const SNAP = 14; // pixels around a station that select it
 const $ = (selector) => document.querySelector(selector);
 

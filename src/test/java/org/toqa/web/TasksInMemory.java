@@ -1,10 +1,7 @@
 package org.toqa.web;
 
 import java.util.ArrayList;
-import java.util.Comparator;
-import java.util.HashMap;
 import java.util.List;
-import java.util.Map;
 import java.util.Optional;
 import java.util.UUID;
 import java.util.concurrent.CompletableFuture;
@@ -17,7 +14,6 @@ import org.toqa.fleet.BatchAnswer;
 import org.toqa.fleet.CheckRefusedException;
 import org.toqa.fleet.EventRecord;
 import org.toqa.fleet.Fleet;
-import org.toqa.fleet.TaskArchive;
 import org.toqa.fleet.TaskOrder;
 import org.toqa.fleet.TaskOrder.Where;
 import org.toqa.fleet.TaskPreview;
@@ -39,13 +35,11 @@ import org.toqa.wording.Phrase;
 import org.toqa.wording.Sentence;
 
 /** Tasks in memory: it takes orders by the contract's rules, and finds tasks by state and text. */
-public abstract class TasksInMemory extends SnapshotsInMemory implements Fleet, TaskArchive {
+public abstract class TasksInMemory extends ArchiveInMemory implements Fleet {
   /** Kilograms; what all robots together can carry. */
   private static final double HEAVIEST = 50;
 
   final FloorMap floor = Hall.floor();
-  private final Map<UUID, Long> keys = new HashMap<>();
-  private final List<EventRecord> events = new ArrayList<>();
   private final Function<String, @Nullable Long> accountId;
   private boolean silent;
   private CheckRefusedException.@Nullable Reason refused;
@@ -68,9 +62,7 @@ public abstract class TasksInMemory extends SnapshotsInMemory implements Fleet, 
   void forgetAll() {
     lock.lock();
     try {
-      tasks.clear();
-      keys.clear();
-      events.clear();
+      forgetTasks();
       silent = false;
       refused = null;
       forgetSnapshot();
@@ -151,6 +143,7 @@ public abstract class TasksInMemory extends SnapshotsInMemory implements Fleet, 
               null,
               latest.at());
       tasks.add(view);
+      nextId++;
       keys.put(key, view.id());
       events.add(
           new EventRecord(
@@ -238,7 +231,7 @@ public abstract class TasksInMemory extends SnapshotsInMemory implements Fleet, 
           new Answer.Accepted<>(
               order
                   .task(start.orElseThrow(), goal.orElseThrow(), floor.name(), user, latest.at())
-                  .withId(tasks.size() + 1)
+                  .withId(nextId)
                   .withOwner(user, accountId.apply(user))));
     }
     return answers;
@@ -294,6 +287,40 @@ public abstract class TasksInMemory extends SnapshotsInMemory implements Fleet, 
     }
   }
 
+  @Override
+  public CompletionStage<Answer<TaskView>> editTask(
+      long id, TaskOrder order, @Nullable TransportTask seen, String user) {
+    lock.lock();
+    try {
+      Answer<TransportTask> checked = checked(order, user);
+      if (!(checked instanceof Answer.Accepted<TransportTask>(TransportTask ordered))) {
+        return CompletableFuture.completedFuture(checked.asRejection());
+      }
+      MissionEvent.Edit edit = new MissionEvent.Edit(user, ordered, seen);
+      return mission(task(id).orElseThrow()).isOutdated(edit)
+          ? CompletableFuture.completedFuture(new Answer.Outdated<>())
+          : commandTask(id, edit);
+    } finally {
+      lock.unlock();
+    }
+  }
+
+  @Override
+  public CompletionStage<Answer<TaskView>> deleteTask(TaskView task, String user) {
+    lock.lock();
+    try {
+      if (!task.state().isEnded()) {
+        return CompletableFuture.completedFuture(
+            new Answer.Conflict<>(Phrase.TASK_HAS_NOT_ENDED.with(task.id()), null));
+      }
+      tasks.removeIf(t -> t.id() == task.id());
+      publish(latest.robots());
+      return CompletableFuture.completedFuture(new Answer.Accepted<>(task));
+    } finally {
+      lock.unlock();
+    }
+  }
+
   private static Mission mission(TaskView view) {
     Phase phase = view.state() == TaskState.CARRYING ? Phase.TO_GOAL : Phase.TO_OBJECT;
     List<AssignedRobot> carriers =
@@ -318,71 +345,6 @@ public abstract class TasksInMemory extends SnapshotsInMemory implements Fleet, 
                   ? TaskView.of(mission(view).apply(lost).mission(), null, latest.at())
                   : view);
       publish(latest.robots());
-    } finally {
-      lock.unlock();
-    }
-  }
-
-  @Override
-  public List<TaskView> tasks(Filter filter, Sort sort, int offset, int limit) {
-    lock.lock();
-    try {
-      Comparator<TaskView> order =
-          sort.by() == Sort.Column.LOAD
-              ? Comparator.comparingDouble(t -> t.task().load())
-              : Comparator.comparingLong(TaskView::id);
-      return tasks.stream()
-          .filter(task -> isIncluded(task, filter))
-          .sorted(sort.descending() ? order.reversed() : order)
-          .skip(offset)
-          .limit(limit)
-          .toList();
-    } finally {
-      lock.unlock();
-    }
-  }
-
-  /** By state and text only; the store's tests hold the rest. */
-  private static boolean isIncluded(TaskView task, Filter filter) {
-    return (filter.states().isEmpty() || filter.states().contains(task.state()))
-        && (filter.text() == null || task.task().name().contains(filter.text()));
-  }
-
-  @Override
-  public Optional<TaskView> taskByKey(UUID key) {
-    lock.lock();
-    try {
-      return Optional.ofNullable(keys.get(key)).flatMap(this::task);
-    } finally {
-      lock.unlock();
-    }
-  }
-
-  @Override
-  public Optional<TaskView> task(long id) {
-    lock.lock();
-    try {
-      return tasks.stream().filter(t -> t.id() == id).findFirst();
-    } finally {
-      lock.unlock();
-    }
-  }
-
-  @Override
-  public List<EventRecord> history(long id) {
-    lock.lock();
-    try {
-      return events.stream().filter(e -> e.task() != null && e.task() == id).toList();
-    } finally {
-      lock.unlock();
-    }
-  }
-
-  @Override
-  public long count(Filter filter) {
-    lock.lock();
-    try {
-      return tasks.stream().filter(task -> isIncluded(task, filter)).count();
     } finally {
       lock.unlock();
     }

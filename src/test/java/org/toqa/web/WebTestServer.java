@@ -201,6 +201,7 @@ public final class WebTestServer implements AutoCloseable {
         new Services(
             fleet,
             fleet,
+            fleet,
             new JdbiEventArchive(jdbi),
             tracks,
             schedules,

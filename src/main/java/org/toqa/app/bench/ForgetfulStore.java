@@ -95,6 +95,11 @@ final class ForgetfulStore implements FleetStore {
   public void saveMissions(List<MissionChange> changes) {}
 
   @Override
+  public boolean deleteTask(long task, EventRecord event) {
+    return true;
+  }
+
+  @Override
   public void saveDrive(String robot, StoredDrive drive) {}
 
   @Override

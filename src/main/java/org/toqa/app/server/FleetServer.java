@@ -50,6 +50,7 @@ import org.toqa.store.JdbiScheduleStore;
 import org.toqa.store.JdbiServerRuns;
 import org.toqa.store.JdbiSessionStore;
 import org.toqa.store.JdbiStatisticsArchive;
+import org.toqa.store.JdbiTaskTraces;
 import org.toqa.store.JdbiTrackStore;
 import org.toqa.store.JdbiUtilisationStore;
 import org.toqa.web.AllowedHosts;
@@ -211,6 +212,7 @@ public final class FleetServer implements AutoCloseable {
         new Services(
             fleet,
             new JdbiFleetStore(database.readers()),
+            new JdbiTaskTraces(database.jdbi(), wallClock),
             new JdbiEventArchive(database.readers()),
             new JdbiTrackStore(database.readers()),
             schedules,

@@ -2,7 +2,6 @@ package org.toqa.fleet.manager;
 
 import static java.util.Objects.requireNonNull;
 
-import java.time.Duration;
 import java.time.Instant;
 import java.time.InstantSource;
 import java.util.List;
@@ -15,20 +14,14 @@ import java.util.concurrent.CompletionStage;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
 import java.util.concurrent.atomic.AtomicReference;
-import java.util.function.BiFunction;
-import java.util.function.Function;
 import java.util.function.Supplier;
-import org.apache.pekko.actor.typed.ActorRef;
 import org.apache.pekko.actor.typed.ActorSystem;
-import org.apache.pekko.actor.typed.javadsl.AskPattern;
-import org.apache.pekko.pattern.StatusReply;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 import org.toqa.allocation.Allocator;
 import org.toqa.fleet.Answer;
 import org.toqa.fleet.BatchAnswer;
-import org.toqa.fleet.CheckRefusedException;
 import org.toqa.fleet.Fleet;
 import org.toqa.fleet.FleetRules;
 import org.toqa.fleet.FleetRuntime;
@@ -53,6 +46,7 @@ import org.toqa.geometry.Pose;
 import org.toqa.grid.FloorMap;
 import org.toqa.link.RobotLinkFactory;
 import org.toqa.mission.MissionEvent;
+import org.toqa.mission.TransportTask;
 import org.toqa.wording.Phrase;
 import org.toqa.wording.Sentence;
 
@@ -64,15 +58,14 @@ import org.toqa.wording.Sentence;
  */
 public final class AgentFleet implements Fleet, AutoCloseable {
   private static final Logger log = LoggerFactory.getLogger(AgentFleet.class);
-  private static final Duration ANSWER_LIMIT = Duration.ofSeconds(10);
 
   private final List<FloorMap> floors;
   private final LatestSnapshot latestSnapshot;
   private final Schedules schedules;
   private final FleetRuntime runtime;
   private final PendingSubmissions pendingSubmissions = new PendingSubmissions();
-  private final OrderChecks checks;
   private final ActorSystem<ManagerMessage> system;
+  private final ManagerCalls manager;
   private final AgentHealth health;
   private final RobotAgents robotAgents;
   private final FleetMonitor monitor;
@@ -126,7 +119,7 @@ public final class AgentFleet implements Fleet, AutoCloseable {
                 List.of(),
                 store.pause().orElse(null),
                 List.of()));
-    this.checks = OrderChecks.of(runtime, rules.checksPerUser());
+    OrderChecks checks = OrderChecks.of(runtime, rules.checksPerUser());
     this.system =
         ActorSystem.create(
             ManagerAgent.of(
@@ -143,6 +136,7 @@ public final class AgentFleet implements Fleet, AutoCloseable {
                 checks),
             "toqa",
             AgentSystemSetup.of(runtime));
+    this.manager = new ManagerCalls(system, checks);
     this.schedules = new StoredSchedules(scheduleStore, this, clock);
     this.health = AgentHealth.of(system);
     this.robotAgents = RobotAgents.of(system);
@@ -198,7 +192,7 @@ public final class AgentFleet implements Fleet, AutoCloseable {
   @Override
   public CompletionStage<Answer<TaskView>> submit(TaskOrder order, String user, UUID key) {
     long deadline = TaskSubmitter.deadline(runtime.nanoTime());
-    return askChecked(
+    return manager.askChecked(
         user,
         (check, replyTo) ->
             new ManagerMessage.SubmitTask(order, user, key, deadline, check, replyTo));
@@ -208,7 +202,7 @@ public final class AgentFleet implements Fleet, AutoCloseable {
   public CompletionStage<BatchAnswer> submitAll(
       List<TaskOrder> orders, String user, List<UUID> keys) {
     long deadline = TaskSubmitter.deadline(runtime.nanoTime());
-    return askChecked(
+    return manager.askChecked(
         user,
         (check, replyTo) ->
             new ManagerMessage.SubmitTasks(orders, user, keys, deadline, check, replyTo));
@@ -222,116 +216,113 @@ public final class AgentFleet implements Fleet, AutoCloseable {
   @Override
   public CompletionStage<List<BatchAnswer.Rejection>> rejections(
       List<TaskOrder> orders, String user) {
-    return askChecked(
+    return manager.askChecked(
         user, (check, replyTo) -> new ManagerMessage.ValidateOrders(orders, user, check, replyTo));
   }
 
   @Override
   public CompletionStage<Answer<TaskPreview>> preview(TaskOrder order, String user) {
-    return askChecked(
+    return manager.askChecked(
         user, (check, replyTo) -> new ManagerMessage.PreviewTask(order, user, check, replyTo));
   }
 
   @Override
   public CompletionStage<Answer<RobotView>> addRobot(RobotOrder order, String user) {
-    return ask(replyTo -> new ManagerMessage.AddRobot(order, user, replyTo));
+    return manager.ask(replyTo -> new ManagerMessage.AddRobot(order, user, replyTo));
   }
 
   @Override
   public CompletionStage<Answer<RobotView>> pairRobot(
       String robot, PairingOrder order, String user) {
-    return ask(replyTo -> new ManagerMessage.PairRobot(robot, order, user, replyTo));
+    return manager.ask(replyTo -> new ManagerMessage.PairRobot(robot, order, user, replyTo));
   }
 
   @Override
   public CompletionStage<Answer<RobotView>> changeRobot(
       String robot, RobotChange change, @Nullable RobotChange seen, String user) {
-    return ask(replyTo -> new ManagerMessage.ChangeRobot(robot, change, seen, user, replyTo));
+    return manager.ask(
+        replyTo -> new ManagerMessage.ChangeRobot(robot, change, seen, user, replyTo));
   }
 
   @Override
   public CompletionStage<Answer<RobotView>> removeRobot(String robot, String user) {
-    return ask(replyTo -> new ManagerMessage.RemoveRobot(robot, user, replyTo));
+    return manager.ask(replyTo -> new ManagerMessage.RemoveRobot(robot, user, replyTo));
   }
 
   @Override
   public CompletionStage<Answer<RobotView>> locateRobot(String robot, Pose pose, String user) {
-    return ask(replyTo -> new ManagerMessage.LocateRobot(robot, pose, user, replyTo));
+    return manager.ask(replyTo -> new ManagerMessage.LocateRobot(robot, pose, user, replyTo));
   }
 
   @Override
   public CompletionStage<Answer<RobotView>> takeOutOfService(String robot, String user) {
-    return ask(replyTo -> new ManagerMessage.SetInService(robot, false, user, replyTo));
+    return manager.ask(replyTo -> new ManagerMessage.SetInService(robot, false, user, replyTo));
   }
 
   @Override
   public CompletionStage<Answer<RobotView>> putInService(String robot, String user) {
-    return ask(replyTo -> new ManagerMessage.SetInService(robot, true, user, replyTo));
+    return manager.ask(replyTo -> new ManagerMessage.SetInService(robot, true, user, replyTo));
   }
 
   @Override
   public CompletionStage<Answer<RobotView>> holdRobot(String robot, String user) {
-    return ask(replyTo -> new ManagerMessage.HoldRobot(robot, true, user, replyTo));
+    return manager.ask(replyTo -> new ManagerMessage.HoldRobot(robot, true, user, replyTo));
   }
 
   @Override
   public CompletionStage<Answer<RobotView>> resumeRobot(String robot, String user) {
-    return ask(replyTo -> new ManagerMessage.HoldRobot(robot, false, user, replyTo));
+    return manager.ask(replyTo -> new ManagerMessage.HoldRobot(robot, false, user, replyTo));
   }
 
   @Override
   public CompletionStage<Answer<RobotView>> clearStops(
       String robot, Set<String> reasons, String user) {
-    return ask(replyTo -> new ManagerMessage.ClearStops(robot, Set.copyOf(reasons), user, replyTo));
+    return manager.ask(
+        replyTo -> new ManagerMessage.ClearStops(robot, Set.copyOf(reasons), user, replyTo));
   }
 
   @Override
   public CompletionStage<Answer<RobotView>> sendHome(String robot, String user) {
-    return ask(replyTo -> new ManagerMessage.SendHome(robot, user, replyTo));
+    return manager.ask(replyTo -> new ManagerMessage.SendHome(robot, user, replyTo));
   }
 
   @Override
   public CompletionStage<Answer<TaskView>> commandTask(
       long task, MissionEvent.OperatorCommand command) {
-    return ask(replyTo -> new ManagerMessage.CommandTask(task, command, replyTo));
+    return manager.ask(replyTo -> new ManagerMessage.CommandTask(task, command, replyTo));
+  }
+
+  @Override
+  public CompletionStage<Answer<TaskView>> editTask(
+      long task, TaskOrder order, @Nullable TransportTask seen, String user) {
+    return manager.askChecked(
+        user,
+        (check, replyTo) -> new ManagerMessage.EditTask(task, order, seen, user, check, replyTo));
+  }
+
+  @Override
+  public CompletionStage<Answer<TaskView>> deleteTask(TaskView task, String user) {
+    return manager.ask(replyTo -> new ManagerMessage.DeleteTask(task, user, replyTo));
   }
 
   @Override
   public CompletionStage<Answer<Optional<Hold>>> pauseAll(String user) {
-    return ask(replyTo -> new ManagerMessage.SetPause(true, user, replyTo));
+    return manager.ask(replyTo -> new ManagerMessage.SetPause(true, user, replyTo));
   }
 
   @Override
   public CompletionStage<Answer<Optional<Hold>>> resumeAll(String user) {
-    return ask(replyTo -> new ManagerMessage.SetPause(false, user, replyTo));
+    return manager.ask(replyTo -> new ManagerMessage.SetPause(false, user, replyTo));
   }
 
   @Override
   public CompletionStage<Answer<Optional<Hold>>> holdFloor(String floor, String user) {
-    return ask(replyTo -> new ManagerMessage.HoldFloor(floor, true, user, replyTo));
+    return manager.ask(replyTo -> new ManagerMessage.HoldFloor(floor, true, user, replyTo));
   }
 
   @Override
   public CompletionStage<Answer<Optional<Hold>>> resumeFloor(String floor, String user) {
-    return ask(replyTo -> new ManagerMessage.HoldFloor(floor, false, user, replyTo));
-  }
-
-  /** The same for what has to be checked first: a user has few of these at once. */
-  private <T> CompletionStage<T> askChecked(
-      String user,
-      BiFunction<OrderChecks.Check, ActorRef<StatusReply<T>>, ManagerMessage> message) {
-    OrderChecks.Check check;
-    try {
-      check = checks.begin(user);
-    } catch (CheckRefusedException e) {
-      return CompletableFuture.failedFuture(e);
-    }
-    return this.<T>ask(replyTo -> message.apply(check, replyTo))
-        .whenComplete((answer, failure) -> check.close());
-  }
-
-  private <T> CompletionStage<T> ask(Function<ActorRef<StatusReply<T>>, ManagerMessage> message) {
-    return AskPattern.askWithStatus(system, message::apply, ANSWER_LIMIT, system.scheduler());
+    return manager.ask(replyTo -> new ManagerMessage.HoldFloor(floor, false, user, replyTo));
   }
 
   @Override

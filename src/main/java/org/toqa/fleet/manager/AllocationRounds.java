@@ -8,6 +8,7 @@ import java.util.HashMap;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.CompletableFuture;
@@ -31,6 +32,7 @@ import org.toqa.geometry.Vec2;
 import org.toqa.grid.FloorMap;
 import org.toqa.grid.OccupancyGrid;
 import org.toqa.mission.Mission;
+import org.toqa.mission.TransportTask;
 import org.toqa.wording.Sentence;
 
 /**
@@ -67,6 +69,9 @@ final class AllocationRounds {
   /** Floors with a running round. */
   private final Set<String> deciding = new HashSet<>();
 
+  /** By floor: tasks of its running round of which something else was ordered since it began. */
+  private final Map<String, Set<Long>> editedInRound = new HashMap<>();
+
   /**
    * That a team had no room.
    *
@@ -80,6 +85,19 @@ final class AllocationRounds {
     this.allocator = allocator;
     this.paths = paths;
     this.self = self;
+  }
+
+  /**
+   * Nothing counts that was found for what was ordered before.
+   *
+   * @param before the task as it was
+   */
+  void taskEdited(TransportTask before) {
+    tasksWithoutRoom.remove(before.id());
+    reasons.getOrDefault(before.floor(), new HashMap<>()).remove(before.id());
+    if (deciding.contains(before.floor())) {
+      editedInRound.computeIfAbsent(before.floor(), _ -> new HashSet<>()).add(before.id());
+    }
   }
 
   /** A floor has told how it is: it is time for a round where robots or places became free. */
@@ -254,9 +272,11 @@ final class AllocationRounds {
     fleet.changed = true;
     ActorRef<FloorMessage> floor = requireNonNull(fleet.floors.get(m.floor()));
     Set<String> free = exchangeTasks(floor, m);
+    Set<Long> edited = Objects.requireNonNullElse(editedInRound.remove(m.floor()), Set.of());
     Map<Long, Sentence> waiting = new HashMap<>();
     for (Decision decision : m.decisions()) {
       switch (decision) {
+        case Decision d when edited.contains(d.task()) -> fleet.dueFloors.add(m.floor());
         case Decision.Assigned(long id, List<String> chosen, Sentence why) ->
             fleet
                 .queue

@@ -59,6 +59,11 @@ final class DeadlineWatch {
         : Optional.empty();
   }
 
+  void forget(long task) {
+    lateTasks.remove(task);
+    reportedBefore.remove(task);
+  }
+
   /** The task with what is known of its deadline. */
   TaskView withLateness(TaskView task) {
     if (!hasOpenDeadline(task)) {

@@ -16,11 +16,13 @@ import java.util.Set;
 import java.util.TreeMap;
 import java.util.function.Consumer;
 import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import org.apache.pekko.actor.typed.ActorRef;
 import org.toqa.allocation.Candidate;
 import org.toqa.allocation.PlaceUse;
 import org.toqa.fleet.FleetRuntime;
 import org.toqa.fleet.FleetStore;
+import org.toqa.fleet.FloorView;
 import org.toqa.fleet.RobotRecord;
 import org.toqa.fleet.RobotView;
 import org.toqa.fleet.StoreWriter;
@@ -91,6 +93,42 @@ final class FleetState {
     if (ended.size() > ENDED_SHOWN) {
       ended.removeLast();
     }
+  }
+
+  /**
+   * What all robots carry together, kilograms: no more than each says, once it is heard, and than a
+   * person entered.
+   */
+  double totalCapacity() {
+    if (robots.isEmpty()) {
+      return Double.MAX_VALUE;
+    }
+    Map<String, Double> told =
+        reports.values().stream()
+            .flatMap(report -> report.robots().stream())
+            .collect(Collectors.toMap(RobotView::name, RobotView::maxLoad));
+    return robots.values().stream()
+        .mapToDouble(r -> Math.min(r.maxLoad(), told.getOrDefault(r.name(), r.maxLoad())))
+        .sum();
+  }
+
+  /** The floor whose agent has the task: it has robots, or its load lies there. */
+  Optional<String> floorOf(long task) {
+    return Stream.concat(
+            handedOver.values().stream(),
+            reports.values().stream().flatMap(r -> r.missions().stream()))
+        .filter(t -> t.id() == task)
+        .findFirst()
+        .map(t -> t.task().floor())
+        .or(() -> floorWithLoadOf(task));
+  }
+
+  Optional<String> floorWithLoadOf(long task) {
+    return reports.values().stream()
+        .map(FloorEvent.FloorReport::floor)
+        .filter(floor -> floor.leftLoads().stream().anyMatch(load -> load.task() == task))
+        .map(FloorView::name)
+        .findFirst();
   }
 
   List<RobotView> robotsOn(String floor) {

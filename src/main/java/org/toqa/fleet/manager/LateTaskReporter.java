@@ -46,6 +46,11 @@ final class LateTaskReporter {
     return deadlineWatch.withLateness(task);
   }
 
+  /** What was said of its old order counts no more. */
+  void taskEdited(long task) {
+    deadlineWatch.forget(task);
+  }
+
   /** Lets all open deadlines be looked at when it is time. */
   void check(Instant now) {
     if (checking || now.isBefore(nextCheck)) {

@@ -55,6 +55,7 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
   private final AllocationRounds rounds;
   private final SnapshotPublisher snapshotPublisher;
   private final TaskCommandHandler taskCommands;
+  private final TaskChangeHandler taskChanges;
   private final RobotCommandHandler robotCommands;
 
   private final FloorTicks floorTicks;
@@ -141,6 +142,8 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
             paths,
             pendingSubmissions,
             self);
+    this.taskChanges =
+        new TaskChangeHandler(fleet, validator, storeHealth, snapshotPublisher, self);
     this.robotCommands =
         new RobotCommandHandler(
             fleet,
@@ -274,6 +277,10 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
       case ManagerMessage.SendHome m ->
           robotCommands.forwardToFloor(
               m.robot(), m.replyTo(), new FloorMessage.SendHome(m.robot(), m.user(), m.replyTo()));
+      case ManagerMessage.EditTask m -> taskChanges.edit(m);
+      case ManagerMessage.EditChecked m -> taskCommands.commandTask(TaskChangeHandler.command(m));
+      case ManagerMessage.DeleteTask m -> taskChanges.delete(m);
+      case ManagerMessage.TaskDeleted m -> taskChanges.deleted(m.request());
       case ManagerMessage.CommandTask m -> taskCommands.commandTask(m);
       case ManagerMessage.TaskCommandStored m ->
           taskCommands.taskCommandStored(m.mission(), m.at());

@@ -164,6 +164,27 @@ public sealed interface ManagerMessage {
       ActorRef<StatusReply<Answer<TaskView>>> replyTo)
       implements ManagerMessage {}
 
+  /**
+   * @param seen what the user has seen of the task; null: whatever it is
+   */
+  record EditTask(
+      long task,
+      TaskOrder order,
+      @Nullable TransportTask seen,
+      String user,
+      OrderChecks.Check check,
+      ActorRef<StatusReply<Answer<TaskView>>> replyTo)
+      implements ManagerMessage {}
+
+  /** What shall be ordered of a task instead is good. */
+  record EditChecked(TransportTask order, EditTask request) implements ManagerMessage {}
+
+  record DeleteTask(TaskView task, String user, ActorRef<StatusReply<Answer<TaskView>>> replyTo)
+      implements ManagerMessage {}
+
+  /** The store has deleted it. */
+  record TaskDeleted(DeleteTask request) implements ManagerMessage {}
+
   /** What a queued task has become is safe. */
   record TaskCommandStored(Mission mission, Instant at) implements ManagerMessage {}
 

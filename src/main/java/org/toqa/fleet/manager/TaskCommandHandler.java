@@ -5,14 +5,11 @@ import static java.util.Objects.requireNonNull;
 import java.time.Instant;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Map;
 import java.util.Optional;
 import java.util.UUID;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionStage;
-import java.util.stream.Collectors;
 import java.util.stream.IntStream;
-import java.util.stream.Stream;
 import org.apache.pekko.actor.typed.ActorRef;
 import org.apache.pekko.pattern.StatusReply;
 import org.toqa.allocation.AllocationProblem;
@@ -21,14 +18,12 @@ import org.toqa.fleet.Answer;
 import org.toqa.fleet.BatchAnswer;
 import org.toqa.fleet.EventRecord;
 import org.toqa.fleet.FleetStore.Submission;
-import org.toqa.fleet.FloorView;
-import org.toqa.fleet.RobotView;
 import org.toqa.fleet.TaskOrder;
 import org.toqa.fleet.TaskView;
-import org.toqa.fleet.floor.FloorEvent;
 import org.toqa.fleet.floor.FloorMessage;
 import org.toqa.grid.FloorMap;
 import org.toqa.mission.Mission;
+import org.toqa.mission.MissionEvent;
 import org.toqa.mission.Objection;
 import org.toqa.mission.TransportTask;
 import org.toqa.persistence.StoreException;
@@ -96,7 +91,7 @@ final class TaskCommandHandler {
 
   private CompletionStage<Answer<TransportTask>> checkOrder(
       TaskOrder order, String user, OrderChecks.Check check) {
-    return validator.checkTask(order, user, fleet.clock.instant(), totalCapacity(), check);
+    return validator.checkTask(order, user, fleet.clock.instant(), fleet.totalCapacity(), check);
   }
 
   /** Adopts all orders of its user that are checked and before which none waits for its check. */
@@ -117,28 +112,11 @@ final class TaskCommandHandler {
       request.replyTo().tell(StatusReply.error(requireNonNull(m.failure())));
     } else if (!(checked instanceof Answer.Accepted<TransportTask>(TransportTask task))) {
       request.replyTo().tell(StatusReply.success(checked.asRejection()));
-    } else if (task.load() > totalCapacity()) {
+    } else if (task.load() > fleet.totalCapacity()) {
       submitTask(request);
     } else {
       store(task, request);
     }
-  }
-
-  /**
-   * What all robots carry together, kilograms: no more than each says, once it is heard, and than a
-   * person entered.
-   */
-  private double totalCapacity() {
-    if (fleet.robots.isEmpty()) {
-      return Double.MAX_VALUE;
-    }
-    Map<String, Double> told =
-        fleet.reports.values().stream()
-            .flatMap(report -> report.robots().stream())
-            .collect(Collectors.toMap(RobotView::name, RobotView::maxLoad));
-    return fleet.robots.values().stream()
-        .mapToDouble(r -> Math.min(r.maxLoad(), told.getOrDefault(r.name(), r.maxLoad())))
-        .sum();
   }
 
   void submitTasks(ManagerMessage.SubmitTasks m) {
@@ -168,7 +146,7 @@ final class TaskCommandHandler {
     BatchValidation.Result checked = m.checked();
     if (!checked.rejections().isEmpty()) {
       request.replyTo().tell(StatusReply.success(new BatchAnswer.Rejected(checked.rejections())));
-    } else if (checked.heaviestLoad() > totalCapacity()) {
+    } else if (checked.heaviestLoad() > fleet.totalCapacity()) {
       check(request);
     } else {
       submitter.submit(
@@ -194,7 +172,8 @@ final class TaskCommandHandler {
   private CompletableFuture<BatchValidation.Result> checkConcurrently(
       List<TaskOrder> orders, String user, OrderChecks.Check check) {
     BatchValidation batch =
-        new BatchValidation(validator, orders, user, fleet.clock.instant(), totalCapacity(), check);
+        new BatchValidation(
+            validator, orders, user, fleet.clock.instant(), fleet.totalCapacity(), check);
     return CompletableFuture.completedFuture(null)
         .thenComposeAsync(_ -> batch.run(), fleet.runtime.threadPerTaskExecutor("batch"));
   }
@@ -224,7 +203,7 @@ final class TaskCommandHandler {
   void previewOrderChecked(ManagerMessage.PreviewOrderChecked m) {
     TransportTask task = m.task();
     ManagerMessage.PreviewTask request = m.request();
-    if (task.load() > totalCapacity()) {
+    if (task.load() > fleet.totalCapacity()) {
       previewTask(request);
       return;
     }
@@ -265,7 +244,7 @@ final class TaskCommandHandler {
     replyTo.tell(StatusReply.error(failure.isRefusal() ? failure : away()));
   }
 
-  private static StoreException away() {
+  static StoreException away() {
     return new StoreException(
         "The database does not answer, so nothing was accepted; try again.", null);
   }
@@ -300,7 +279,9 @@ final class TaskCommandHandler {
       commandTask(queued.get(), m);
       return;
     }
-    floorOf(m.task())
+    fleet
+        .floorOf(m.task())
+        .flatMap(fleet::floorAgent)
         .ifPresentOrElse(
             floor -> floor.tell(new FloorMessage.CommandTask(m.task(), m.command(), m.replyTo())),
             () ->
@@ -332,6 +313,10 @@ final class TaskCommandHandler {
       fleet.queue.add(mission, queued.since(), !step.hasChanges() && queued.stored());
       next = fleet.view(m.task(), FleetState.LOOKING_FOR_ROBOT);
     }
+    if (m.command() instanceof MissionEvent.Edit && step.hasChanges()) {
+      rounds.taskEdited(queued.task());
+      lateTasks.taskEdited(m.task());
+    }
     fleet.changed = true;
     fleet.writer.write(
         () -> {
@@ -360,24 +345,5 @@ final class TaskCommandHandler {
         .filter(queued -> queued.mission().equals(mission))
         .ifPresent(queued -> fleet.queue.add(mission, queued.since(), true));
     fleet.dueFloors.add(mission.task().floor());
-  }
-
-  private Optional<ActorRef<FloorMessage>> floorOf(long task) {
-    return Stream.concat(
-            fleet.handedOver.values().stream(),
-            fleet.reports.values().stream().flatMap(r -> r.missions().stream()))
-        .filter(t -> t.id() == task)
-        .findFirst()
-        .map(t -> t.task().floor())
-        .or(() -> floorWithLoadOf(task))
-        .flatMap(fleet::floorAgent);
-  }
-
-  private Optional<String> floorWithLoadOf(long task) {
-    return fleet.reports.values().stream()
-        .map(FloorEvent.FloorReport::floor)
-        .filter(floor -> floor.leftLoads().stream().anyMatch(load -> load.task() == task))
-        .map(FloorView::name)
-        .findFirst();
   }
 }

@@ -18,7 +18,8 @@ import org.toqa.wording.Sentence;
  * @param load kilograms
  * @param loadAt where the load is if that is neither its start nor its goal
  * @param blocked whether it waits for what will not come by itself
- * @param history left out of lists and of the live stream
+ * @param followed whether the caller follows it; left out of lists and of the live stream
+ * @param history left out there too
  */
 public record TaskJson(
     long id,
@@ -41,6 +42,7 @@ public record TaskJson(
     boolean blocked,
     @Nullable Sentence late,
     @Nullable Question needs,
+    @JsonInclude(JsonInclude.Include.NON_NULL) @Nullable Boolean followed,
     @JsonInclude(JsonInclude.Include.NON_NULL) @Nullable List<EventJson> history) {
 
   /** Metres, map frame. */
@@ -57,14 +59,15 @@ public record TaskJson(
   }
 
   public static TaskJson of(TaskView view) {
-    return of(view, null);
+    return of(view, null, null);
   }
 
-  static TaskJson withHistory(TaskView view, List<EventRecord> history) {
-    return of(view, history.stream().map(EventJson::of).toList());
+  static TaskJson withHistory(TaskView view, boolean followed, List<EventRecord> history) {
+    return of(view, followed, history.stream().map(EventJson::of).toList());
   }
 
-  private static TaskJson of(TaskView view, @Nullable List<EventJson> history) {
+  private static TaskJson of(
+      TaskView view, @Nullable Boolean followed, @Nullable List<EventJson> history) {
     TransportTask task = view.task();
     return new TaskJson(
         task.id(),
@@ -87,6 +90,7 @@ public record TaskJson(
         view.blocked(),
         view.late(),
         view.needs(),
+        followed,
         history);
   }
 }

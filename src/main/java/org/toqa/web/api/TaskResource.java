@@ -4,21 +4,71 @@ import jakarta.servlet.http.HttpServletRequest;
 import jakarta.servlet.http.HttpServletResponse;
 import java.io.IOException;
 import java.util.function.BiFunction;
+import org.toqa.fleet.TaskOrder;
 import org.toqa.fleet.TaskView;
 import org.toqa.mission.MissionEvent;
+import org.toqa.mission.TransportTask;
 import org.toqa.web.FleetAnswers;
 import org.toqa.web.RequestPath;
+import org.toqa.web.Services;
 import org.toqa.web.Tasks;
 import org.toqa.web.Texts;
 import org.toqa.web.access.Caller;
 import org.toqa.web.input.FieldErrors;
 import org.toqa.web.input.TaskCommandReader;
+import org.toqa.web.input.TaskOrderReader;
+import org.toqa.web.input.Version;
 
 /** One task with its history, and the commands that an operator may give. */
 public final class TaskResource extends ApiHandler {
   public static void get(HttpServletRequest request, HttpServletResponse response)
       throws IOException {
     send(request, response, task(request));
+  }
+
+  /** All that is ordered, of a task that waits. */
+  public static void edit(HttpServletRequest request, HttpServletResponse response)
+      throws IOException {
+    TaskView task = changeableTask(request);
+    requireVersion(Version.ofOrder(task), request);
+    TaskOrder order = readBody(request, TaskOrderReader::read);
+    String ifMatch = request.getHeader("If-Match");
+    TransportTask seen = ifMatch == null || ifMatch.strip().equals("*") ? null : task.task();
+    send(
+        request,
+        response,
+        acceptedValue(
+            request,
+            FleetAnswers.await(
+                services(request)
+                    .fleet()
+                    .editTask(task.id(), order, seen, Caller.of(request).name()))));
+  }
+
+  public static void delete(HttpServletRequest request, HttpServletResponse response) {
+    TaskView task = changeableTask(request);
+    String user = Caller.of(request).name();
+    acceptedValue(request, FleetAnswers.await(services(request).fleet().deleteTask(task, user)));
+    response.setStatus(HttpServletResponse.SC_NO_CONTENT);
+  }
+
+  public static void follow(HttpServletRequest request, HttpServletResponse response)
+      throws IOException {
+    setFollowed(request, response, true);
+  }
+
+  public static void unfollow(HttpServletRequest request, HttpServletResponse response)
+      throws IOException {
+    setFollowed(request, response, false);
+  }
+
+  /** Of the caller alone: whose the task is matters not. */
+  private static void setFollowed(
+      HttpServletRequest request, HttpServletResponse response, boolean followed)
+      throws IOException {
+    TaskView task = task(request);
+    services(request).traces().setFollowed(Caller.of(request).account().id(), task.id(), followed);
+    send(request, response, task);
   }
 
   public static void hold(HttpServletRequest request, HttpServletResponse response)
@@ -76,11 +126,8 @@ public final class TaskResource extends ApiHandler {
   private static void change(
       HttpServletRequest request, HttpServletResponse response, BodyReader body)
       throws IOException {
-    TaskView task = task(request);
+    TaskView task = changeableTask(request);
     Caller caller = Caller.of(request);
-    if (!TaskCommandReader.canChange(caller, task)) {
-      throw Problem.of(403, Texts.of(request).get("problem.notYourTask")).exception();
-    }
     MissionEvent.OperatorCommand command = body.read(caller);
     send(
         request,
@@ -103,6 +150,14 @@ public final class TaskResource extends ApiHandler {
     return command;
   }
 
+  private static TaskView changeableTask(HttpServletRequest request) {
+    TaskView task = task(request);
+    if (!TaskCommandReader.canChange(Caller.of(request), task)) {
+      throw Problem.of(403, Texts.of(request).get("problem.notYourTask")).exception();
+    }
+    return task;
+  }
+
   private static TaskView task(HttpServletRequest request) {
     return new Tasks(services(request))
         .task(RequestPath.number(request, "id"))
@@ -112,10 +167,15 @@ public final class TaskResource extends ApiHandler {
 
   private static void send(HttpServletRequest request, HttpServletResponse response, TaskView task)
       throws IOException {
+    response.setHeader("ETag", Version.ofOrder(task).tag());
+    Services services = services(request);
     Json.send(
         request,
         response,
         200,
-        TaskJson.withHistory(task, services(request).archive().history(task.id())));
+        TaskJson.withHistory(
+            task,
+            services.traces().isFollowed(Caller.of(request).account().id(), task.id()),
+            services.archive().history(task.id())));
   }
 }

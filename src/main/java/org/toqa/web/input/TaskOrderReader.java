@@ -1,6 +1,7 @@
 package org.toqa.web.input;
 
 import java.time.Instant;
+import java.time.temporal.ChronoUnit;
 import java.util.function.UnaryOperator;
 import org.jspecify.annotations.Nullable;
 import org.toqa.fleet.TaskOrder;
@@ -18,6 +19,20 @@ public final class TaskOrderReader {
   public static TaskOrder readEntered(Fields fields, Instant now) {
     return read(
         fields, deadline -> fields.rules().futureDeadline(fields.path("deadline"), deadline, now));
+  }
+
+  /**
+   * The same of a task that is edited.
+   *
+   * @param before its deadline, which counts to the second where the minute is left as it was
+   */
+  public static TaskOrder readEdited(Fields fields, Instant now, @Nullable Instant before) {
+    return read(
+        fields,
+        deadline ->
+            before != null && before.truncatedTo(ChronoUnit.MINUTES).equals(deadline)
+                ? before
+                : fields.rules().futureDeadline(fields.path("deadline"), deadline, now));
   }
 
   private static TaskOrder read(Fields fields, UnaryOperator<@Nullable Instant> deadlineRule) {

@@ -13,6 +13,7 @@ import org.toqa.fleet.TaskArchive.Filter;
 import org.toqa.fleet.TaskArchive.Sort;
 import org.toqa.mission.TaskState;
 import org.toqa.web.Texts;
+import org.toqa.web.access.Caller;
 
 /** Reads from a request's query which tasks are wanted, and in which order. */
 public final class TaskQueryReader {
@@ -24,11 +25,13 @@ public final class TaskQueryReader {
   private final FieldErrors errors;
   private final Texts texts;
   private final QueryFields fields;
+  private final long caller;
 
   public TaskQueryReader(HttpServletRequest request, FieldErrors errors) {
     this.errors = errors;
     this.texts = Texts.of(request);
     this.fields = new QueryFields(request, errors);
+    this.caller = Caller.of(request).account().id();
   }
 
   /** It means something only when no error was filed. */
@@ -40,7 +43,19 @@ public final class TaskQueryReader {
         fields.text("user"),
         text == null ? null : Digits.latin(text),
         fields.from(),
-        fields.until());
+        fields.until(),
+        follower(fields.text("followed")));
+  }
+
+  /** The caller, where he wants those that he follows. */
+  private @Nullable Long follower(@Nullable String followed) {
+    if (followed == null || followed.equals("false")) {
+      return null;
+    }
+    if (!followed.equals("true")) {
+      errors.add("followed", texts.get("error.tasks.followed"));
+    }
+    return caller;
   }
 
   /** A column, or with a minus before it the same downwards. */

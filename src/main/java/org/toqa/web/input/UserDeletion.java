@@ -86,7 +86,7 @@ public final class UserDeletion {
         EnumSet.allOf(TaskState.class).stream()
             .filter(state -> !state.isEnded())
             .collect(Collectors.toSet());
-    Filter filter = new Filter(open, null, user.name(), null, null, null);
+    Filter filter = new Filter(open, null, user.name(), null, null, null, null);
     List<TaskView> found = new ArrayList<>();
     List<TaskView> page;
     int offset = 0;

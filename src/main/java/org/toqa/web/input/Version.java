@@ -8,6 +8,7 @@ import org.toqa.fleet.RobotRecord;
 import org.toqa.fleet.RobotView;
 import org.toqa.fleet.Schedule;
 import org.toqa.fleet.TaskView;
+import org.toqa.mission.TransportTask;
 
 /**
  * The version of what people change, so that nobody overwrites what somebody else has changed since
@@ -23,6 +24,13 @@ public record Version(String text) {
   public static Version of(RobotView robot) {
     RobotRecord stored = robot.record();
     return of(stored.host(), stored.port(), robot.maxLoad(), stored.parking());
+  }
+
+  /** Of all that is ordered of the task, not of its priority alone. */
+  public static Version ofOrder(TaskView task) {
+    TransportTask t = task.task();
+    return of(
+        t.name(), t.load(), t.start(), t.goal(), t.floor(), t.priority(), t.deadline(), t.size());
   }
 
   public static Version of(TaskView task) {

@@ -19,7 +19,7 @@ public final class LoginPage extends PageHandler {
     if (Caller.find(request).isPresent()) {
       redirect(request, response, FIRST_PAGE);
     } else {
-      show(request, response, "login");
+      show(request, response, "index");
     }
   }
 
@@ -37,7 +37,7 @@ public final class LoginPage extends PageHandler {
       errors.add("password", texts.get("error.login.password"));
     }
     if (name == null || password == null) {
-      showAgain(request, response, "login", errors);
+      showAgain(request, response, "index", errors);
       return;
     }
     switch (services(request)
@@ -52,16 +52,16 @@ public final class LoginPage extends PageHandler {
       }
       case Authenticator.Outcome.WrongCredentials() -> {
         errors.add("form", texts.get("error.login.wrong"));
-        showAgain(request, response, "login", errors);
+        showAgain(request, response, "index", errors);
       }
       case Authenticator.Outcome.AccountDisabled() -> {
         errors.add("form", texts.get("error.login.disabled"));
-        showAgain(request, response, "login", errors);
+        showAgain(request, response, "index", errors);
       }
       case Authenticator.Outcome.Throttled throttled -> {
         errors.add("form", texts.get("error.login.tooManyAttempts", throttled.retryAfterSeconds()));
         response.setHeader("Retry-After", Long.toString(throttled.retryAfterSeconds()));
-        showAgain(request, response, "login", errors);
+        showAgain(request, response, "index", errors);
       }
     }
   }

@@ -131,7 +131,7 @@ public final class NewTaskPage extends PageHandler {
   }
 
   /** The chosen floor's stations can be selected; without a choice, the first floor's. */
-  private static void addFloorAttributes(HttpServletRequest request) {
+  static void addFloorAttributes(HttpServletRequest request) {
     List<FloorMap> floors = services(request).fleet().floors();
     String wanted = request.getParameter("floor");
     FloorMap floor =

@@ -92,6 +92,66 @@ public final class TaskPage extends PageHandler {
         (reader, fields, user, task) -> new MissionEvent.RemoveLoad(user.name()));
   }
 
+  /** It is in no list then, and has no page. */
+  public static void delete(HttpServletRequest request, HttpServletResponse response)
+      throws ServletException, IOException {
+    Optional<TaskView> task = changeableTask(request, response);
+    if (task.isEmpty()) {
+      return;
+    }
+    FieldErrors errors = new FieldErrors();
+    String user = Caller.of(request).name();
+    Optional<TaskView> deleted =
+        acceptedValue(
+            request,
+            FleetAnswers.await(services(request).fleet().deleteTask(task.get(), user)),
+            errors);
+    if (deleted.isPresent()) {
+      redirect(request, response, "/tasks?deleted=" + deleted.get().id());
+    } else {
+      addAttributes(request, task(request).orElse(task.get()));
+      showAgain(request, response, "task", errors);
+    }
+  }
+
+  public static void follow(HttpServletRequest request, HttpServletResponse response)
+      throws IOException, ServletException {
+    setFollowed(request, response, true);
+  }
+
+  public static void unfollow(HttpServletRequest request, HttpServletResponse response)
+      throws IOException, ServletException {
+    setFollowed(request, response, false);
+  }
+
+  /** Of the reader alone: whose the task is matters not. */
+  private static void setFollowed(
+      HttpServletRequest request, HttpServletResponse response, boolean followed)
+      throws IOException, ServletException {
+    Optional<TaskView> task = task(request);
+    if (task.isEmpty()) {
+      sendNotFound(request, response, "problem.noSuchTask");
+      return;
+    }
+    services(request)
+        .traces()
+        .setFollowed(Caller.of(request).account().id(), task.get().id(), followed);
+    redirect(request, response, "/tasks/" + task.get().id());
+  }
+
+  /** The task, if the reader may change it; an error is sent otherwise. */
+  static Optional<TaskView> changeableTask(HttpServletRequest request, HttpServletResponse response)
+      throws ServletException, IOException {
+    Optional<TaskView> task = task(request);
+    if (task.isEmpty()) {
+      sendNotFound(request, response, "problem.noSuchTask");
+    } else if (!TaskCommandReader.canChange(Caller.of(request), task.get())) {
+      ErrorResponse.send(request, response, 403, Texts.of(request).get("problem.notYourTask"));
+      return Optional.empty();
+    }
+    return task;
+  }
+
   /** Reads a command from the fields of a form. */
   @FunctionalInterface
   private interface FormReader {
@@ -105,13 +165,8 @@ public final class TaskPage extends PageHandler {
   private static void change(
       HttpServletRequest request, HttpServletResponse response, FormReader form)
       throws ServletException, IOException {
-    Optional<TaskView> task = task(request);
+    Optional<TaskView> task = changeableTask(request, response);
     if (task.isEmpty()) {
-      sendNotFound(request, response, "problem.noSuchTask");
-      return;
-    }
-    if (!TaskCommandReader.canChange(Caller.of(request), task.get())) {
-      ErrorResponse.send(request, response, 403, Texts.of(request).get("problem.notYourTask"));
       return;
     }
     FieldErrors differences = differences(task.get(), request);
@@ -162,6 +217,9 @@ public final class TaskPage extends PageHandler {
     request.setAttribute("task", task);
     request.setAttribute("version", Version.of(task));
     request.setAttribute("mayChange", TaskCommandReader.canChange(Caller.of(request), task));
+    request.setAttribute(
+        "followed",
+        services(request).traces().isFollowed(Caller.of(request).account().id(), task.id()));
     request.setAttribute("history", services(request).archive().history(task.id()));
     request.setAttribute("timeline", TIMELINE);
     request.setAttribute("reached", TIMELINE.indexOf(task.state()));

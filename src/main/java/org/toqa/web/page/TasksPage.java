@@ -42,6 +42,7 @@ public final class TasksPage extends PageHandler {
     request.setAttribute("tasks", tasks.page(filter, sort, (page - 1) * PAGE_SIZE, PAGE_SIZE));
     request.setAttribute("count", count);
     request.setAttribute("imported", imported(request.getParameter("imported")));
+    request.setAttribute("deleted", deleted(request.getParameter("deleted")));
     request.setAttribute("page", page);
     request.setAttribute("pages", pages);
   }
@@ -49,6 +50,11 @@ public final class TasksPage extends PageHandler {
   /** How many tasks the reader has just imported. */
   private static @Nullable Integer imported(@Nullable String given) {
     return given != null && given.matches("[1-9][0-9]{0,3}") ? Integer.valueOf(given) : null;
+  }
+
+  /** The number of the task that the reader has just deleted. */
+  private static @Nullable Long deleted(@Nullable String given) {
+    return given != null && given.matches("[1-9][0-9]{0,17}") ? Long.valueOf(given) : null;
   }
 
   private static int pageNumber(@Nullable String given) {

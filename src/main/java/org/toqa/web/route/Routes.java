@@ -45,6 +45,7 @@ import org.toqa.web.api.UserResource;
 import org.toqa.web.api.UsersResource;
 import org.toqa.web.live.EventsResource;
 import org.toqa.web.page.ApiDocumentPage;
+import org.toqa.web.page.EditTaskPage;
 import org.toqa.web.page.FirstStartPage;
 import org.toqa.web.page.FleetForms;
 import org.toqa.web.page.FloorForms;
@@ -92,6 +93,11 @@ public final class Routes {
           get("/tasks/import", CLERK, ImportPage::show),
           post("/tasks/import", CLERK, ImportPage::submit).with(MULTIPART),
           get("/tasks/{id}", CLERK, TaskPage::show),
+          get("/tasks/{id}/edit", CLERK, EditTaskPage::show),
+          post("/tasks/{id}/edit", CLERK, EditTaskPage::submit),
+          post("/tasks/{id}/delete", CLERK, TaskPage::delete),
+          post("/tasks/{id}/follow", CLERK, TaskPage::follow),
+          post("/tasks/{id}/unfollow", CLERK, TaskPage::unfollow),
           post("/tasks/{id}/cancel", CLERK, TaskPage::cancel),
           post("/tasks/{id}/hold", CLERK, TaskPage::hold),
           post("/tasks/{id}/resume", CLERK, TaskPage::resume),
@@ -149,6 +155,10 @@ public final class Routes {
           post("/api/v1/tasks/import", CLERK, ImportResource::importTable),
           get("/api/v1/tasks/import/example.csv", CLERK, ImportResource::example),
           get("/api/v1/tasks/{id}", CLERK, TaskResource::get),
+          put("/api/v1/tasks/{id}", CLERK, TaskResource::edit),
+          delete("/api/v1/tasks/{id}", CLERK, TaskResource::delete),
+          post("/api/v1/tasks/{id}/follow", CLERK, TaskResource::follow),
+          post("/api/v1/tasks/{id}/unfollow", CLERK, TaskResource::unfollow),
           post("/api/v1/tasks/{id}/cancel", CLERK, TaskResource::cancel),
           post("/api/v1/tasks/{id}/hold", CLERK, TaskResource::hold),
           post("/api/v1/tasks/{id}/resume", CLERK, TaskResource::resume),

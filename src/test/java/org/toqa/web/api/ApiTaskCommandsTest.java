@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.net.http.HttpRequest.BodyPublishers;
 import java.net.http.HttpResponse;
 import java.util.List;
 import org.junit.jupiter.api.Test;
@@ -124,5 +125,81 @@ class ApiTaskCommandsTest extends ApiTestServer {
     assertEquals(200, gone.statusCode(), gone.body());
     assertTrue(JSON.readTree(gone.body()).get("loadAt").isNull());
     assertEquals(409, post(token, path + "/load-removed", "").statusCode());
+  }
+
+  @Test
+  void theOrderOfAWaitingTaskIsEditedByWhoHasSeenIt() {
+    String path = "api/v1/tasks/" + add(token);
+    String seen = get(path).headers().firstValue("ETag").orElseThrow();
+    String crate =
+        "{\"name\":\"Crate\",\"load\":4,\"start\":{\"station\":\"Shelf 3\"},\"goal\":{\"station\":\"Dock A\"}}";
+
+    HttpResponse<String> edited = edit(path, seen, crate);
+
+    assertEquals(200, edited.statusCode(), edited.body());
+    JsonNode task = JSON.readTree(edited.body());
+    assertEquals("Crate", task.get("name").stringValue());
+    assertEquals("Dock A", task.get("goal").get("station").stringValue());
+    assertEquals(412, edit(path, seen, GOOD_TASK).statusCode(), "it is another one by now");
+    assertEquals(
+        200, edit(path, edited.headers().firstValue("ETag").orElseThrow(), GOOD_TASK).statusCode());
+    assertEquals(422, send("PUT", path, "{}").statusCode(), "the whole order");
+    assertEquals(422, send("PUT", path, crate.replace("4", "400")).statusCode(), "too heavy");
+    assertEquals(404, send("PUT", "api/v1/tasks/999", crate).statusCode());
+    server.fleet().changeTask(1, TaskState.CARRYING, List.of("r1"), "picked up");
+    HttpResponse<String> tooLate = send("PUT", path, crate);
+    assertEquals(409, tooLate.statusCode());
+    assertTrue(detail(tooLate).startsWith("Task 1 is not waiting any more"), detail(tooLate));
+  }
+
+  private HttpResponse<String> edit(String path, String version, String order) {
+    return visitor.send(
+        visitor
+            .request(path)
+            .header("Authorization", "Bearer " + token)
+            .header("Content-Type", "application/json")
+            .header("If-Match", version)
+            .PUT(BodyPublishers.ofString(order))
+            .build());
+  }
+
+  @Test
+  void aTaskIsEditedAndDeletedByItsOwnerAndByManagersOnly() {
+    String path = "api/v1/tasks/" + add(token);
+    token = tokenOf(WebTestServer.CLERK);
+
+    assertEquals(403, send("PUT", path, GOOD_TASK).statusCode());
+    assertEquals(403, send("DELETE", path, "").statusCode());
+    String own = "api/v1/tasks/" + add(token);
+    assertEquals(200, send("PUT", own, GOOD_TASK).statusCode());
+    assertEquals(409, send("DELETE", own, "").statusCode(), "it has not ended");
+    post(token, own + "/cancel", "");
+    assertEquals(204, send("DELETE", own, "").statusCode());
+    assertEquals(404, send("DELETE", own, "").statusCode());
+    assertEquals(404, get(own).statusCode());
+  }
+
+  @Test
+  void everyoneFollowsTasksInAListOfHisOwn() {
+    String clerk = tokenOf(WebTestServer.CLERK);
+    String path = "api/v1/tasks/" + add(token);
+    add(token);
+
+    HttpResponse<String> followed = post(clerk, path + "/follow", "");
+
+    assertEquals(200, followed.statusCode(), followed.body());
+    assertTrue(JSON.readTree(followed.body()).get("followed").asBoolean());
+    assertEquals(200, post(clerk, path + "/follow", "").statusCode(), "twice is once");
+    assertFalse(JSON.readTree(get(path).body()).get("followed").asBoolean(), "not by the manager");
+    assertEquals(0, JSON.readTree(get("api/v1/tasks?followed=true").body()).size());
+    assertEquals(2, JSON.readTree(get("api/v1/tasks?followed=false").body()).size());
+    assertEquals(422, get("api/v1/tasks?followed=perhaps").statusCode());
+    token = clerk;
+    JsonNode list = JSON.readTree(get("api/v1/tasks?followed=true").body());
+    assertEquals(1, list.size());
+    assertEquals(1, list.get(0).get("id").longValue());
+    assertFalse(
+        JSON.readTree(post(clerk, path + "/unfollow", "").body()).get("followed").asBoolean());
+    assertEquals(0, JSON.readTree(get("api/v1/tasks?followed=true").body()).size());
   }
 }

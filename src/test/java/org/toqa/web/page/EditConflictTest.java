@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.net.http.HttpResponse;
+import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
@@ -93,6 +94,44 @@ class EditConflictTest {
     assertEquals(409, refused.statusCode());
     assertTrue(refused.body().contains("Current value: other.lan<"), refused.body());
     assertNull(robot().record().fingerprint());
+  }
+
+  @Test
+  void anOrderIsNotEditedBackUnseen() {
+    Map<String, String> box =
+        Map.of(
+            "name",
+            "Box",
+            "load",
+            "2",
+            "startStation",
+            "Dock A",
+            "startX",
+            "",
+            "startY",
+            "",
+            "goalStation",
+            "Shelf 3",
+            "goalX",
+            "",
+            "goalY",
+            "");
+    assertEquals(303, first.post("tasks/new", box).statusCode());
+    String seen = version(second, "tasks/1/edit", "/tasks/1/edit");
+    Map<String, String> heavier = new HashMap<>(box);
+    heavier.put("load", "3");
+    assertEquals(303, send(first, "tasks/1/edit", heavier, seen).statusCode());
+
+    Map<String, String> mine = new HashMap<>(box);
+    mine.put("load", "1");
+    HttpResponse<String> refused = send(second, "tasks/1/edit", mine, seen);
+
+    assertEquals(409, refused.statusCode());
+    assertTrue(refused.body().contains(NOTHING_WAS_STORED), refused.body());
+    assertTrue(refused.body().contains("Current value: 3"), refused.body());
+    String now = version(refused.body(), "/tasks/1/edit");
+    assertEquals(303, send(second, "tasks/1/edit", mine, now).statusCode());
+    assertEquals(1, server.fleet().task(1).orElseThrow().task().load());
   }
 
   @Test

@@ -107,6 +107,44 @@ class TaskPagesInBrowserTest extends PagesInBrowser {
   }
 
   @Test
+  void aWaitingTaskIsEditedAndFollowedAndWhenItHasEndedDeleted() {
+    Page page = pageOfNewTask("2.5");
+    click(button(page, "Follow"));
+    assertThat(button(page, "Stop following")).isVisible();
+    click(page.getByRole(AriaRole.LINK, link("Edit order")));
+    assertThat(page.locator("h1")).hasText("Edit task 1");
+    assertThat(page.getByLabel("Load (kg)")).hasValue("2.5");
+    assertThat(page.locator("#startStation")).hasValue("Dock A");
+    assertThat(page.locator("#when")).hasCount(0);
+    assertFits(page, "task-edit", DESK, PHONE);
+    page.getByLabel("Load (kg)").fill("4");
+    page.getByLabel("Deadline").fill("2098-07-01T15:00");
+    click(button(page, "Save changes"));
+    assertThat(page.locator("dl")).containsText("4 kg");
+    assertThat(page.locator("time[datetime='2098-07-01T20:00:00Z']")).containsText("3:00");
+    click(page.getByRole(AriaRole.LINK, link("Edit order")));
+    assertThat(page.getByLabel("Deadline")).hasValue("2098-07-01T15:00");
+    page.getByLabel("Load (kg)").fill("400");
+    click(button(page, "Save changes"));
+    assertThat(page.locator("#load-help")).isVisible();
+    click(page.getByRole(AriaRole.BUTTON, link("Cancel")));
+    assertFits(page, "task-followed", DESK, PHONE);
+
+    server.fleet().changeTask(1, TaskState.DONE, List.of("r1"), "r1 has parked.");
+    click(page.getByText("Delete task", new Page.GetByTextOptions().setExact(true)));
+    assertFits(page, "task-delete", DESK, PHONE);
+    page.navigate(server.root() + "tasks?followed=true");
+    assertThat(page.locator("tbody tr")).hasCount(1);
+    assertFits(page, "tasks-followed", DESK, PHONE);
+    page.navigate(server.root() + "tasks/1");
+    click(page.getByText("Delete task", new Page.GetByTextOptions().setExact(true)));
+    click(button(page, "Delete task for good"));
+
+    assertThat(page.locator(".notice.good")).hasText("Task 1 was deleted.");
+    assertThat(page.locator("tbody tr")).hasCount(0);
+  }
+
+  @Test
   void aTableIsImportedAfterItsBadLineIsMended() {
     Page page = loggedIn(WebTestServer.MANAGER, DESK, "tasks");
     click(page.getByRole(AriaRole.BUTTON, new Page.GetByRoleOptions().setName("Import")));
