@@ -39,6 +39,9 @@ class SerialTransportIT {
   private byte[] status;
   private long nanos;
 
+  /** How often a machine that is busy with other things had to ask for an answer. */
+  private int asked;
+
   @BeforeEach
   void readGoldenFrames() throws IOException {
     device = folder.resolve("robot");
@@ -51,8 +54,11 @@ class SerialTransportIT {
     try (SerialCable cable = SerialCable.plugIn(device, frame -> status);
         FrameTransport transport = new SerialTransport(device, BAUD)) {
       for (byte[] golden : GoldenFrame.of("velocity")) {
+        int before = asked;
         assertArrayEquals(status, answerTo(golden, transport));
-        assertArrayEquals(golden, cable.heard());
+        for (int i = before; i < asked; i++) {
+          assertArrayEquals(golden, cable.heard());
+        }
       }
     }
   }
@@ -127,9 +133,10 @@ class SerialTransportIT {
 
   /** A busy machine holds some exchanges up for longer than an answer is waited for. */
   private byte[] answerTo(byte[] frame, FrameTransport transport) throws IOException {
-    byte[] answer = transport.exchange(frame, nanos);
+    byte[] answer = new byte[0];
     for (int i = 0; i < MOST_EXCHANGES && answer.length == 0; i++) {
       answer = transport.exchange(frame, nanos);
+      asked++;
     }
     return answer;
   }
