@@ -9,12 +9,11 @@ public enum Policy {
   OPTIMAL;
 
   public Allocator allocator() {
-    return new TeamAllocator(
-        switch (this) {
-          case ZONES -> new ZoneAllocator();
-          case CONTRACT_NET -> new ContractNet();
-          case OPTIMAL -> new OptimalAllocator();
-        });
+    return switch (this) {
+      case ZONES -> new TeamAllocator(new ZoneAllocator(), ZoneTeams::new);
+      case CONTRACT_NET -> new TeamAllocator(new ContractNet(), _ -> new NearestTeams());
+      case OPTIMAL -> new TeamAllocator(new OptimalAllocator(), _ -> new NearestTeams());
+    };
   }
 
   /** As it is written, such as {@code contract-net}. */

@@ -1,20 +1,18 @@
 package org.toqa.allocation;
 
-import static java.util.Comparator.comparingDouble;
-
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import org.toqa.allocation.Costs.Cost;
-import org.toqa.wording.Phrase;
+import java.util.function.Function;
+import org.toqa.allocation.TeamRanking.Member;
 import org.toqa.wording.Sentence;
 
 /**
  * Gives loads that are too heavy for every robot that fits on their path to several, and leaves the
  * rest to another allocator. The team is the smallest whose robots can each carry an even share; of
- * those that are free the ones nearest to the load, the nearest of all as the leader.
+ * those that are free the first ones of a {@link TeamRanking}, the first of all as the leader.
  *
  * <p>Robots seldom become free together. When such a load has waited longer than every other task,
  * robots that are free are kept for it, so that it does not wait for ever. Where it is fetched and
@@ -24,17 +22,21 @@ public final class TeamAllocator implements Allocator {
   private static final int MOST_ROBOTS = 12;
 
   private final Allocator singleRobotAllocator;
+  private final Function<AllocationProblem, TeamRanking> teamRanking;
 
   /**
    * @param singleRobotAllocator decides about loads that one robot can carry
+   * @param teamRanking of a round's problem, who carries the others
    */
-  public TeamAllocator(Allocator singleRobotAllocator) {
+  TeamAllocator(
+      Allocator singleRobotAllocator, Function<AllocationProblem, TeamRanking> teamRanking) {
     this.singleRobotAllocator = singleRobotAllocator;
+    this.teamRanking = teamRanking;
   }
 
   @Override
   public List<Decision> allocate(AllocationProblem problem) {
-    Round round = new Round(problem);
+    Round round = new Round(problem, teamRanking.apply(problem));
     problem.waiting().forEach(round::decide);
     List<AllocationTask> remaining = round.singleRobotTasks();
     round.decisions.addAll(
@@ -46,13 +48,15 @@ public final class TeamAllocator implements Allocator {
     private final AllocationProblem problem;
     private final WaitExplainer explainer;
     private final Costs costs;
+    private final TeamRanking ranking;
     private final PlaceReservations places;
     private final List<Decision> decisions = new ArrayList<>();
     private final List<AllocationTask> singleRobotTasks = new ArrayList<>();
     private final Map<String, Long> taken = new HashMap<>();
 
-    Round(AllocationProblem problem) {
+    Round(AllocationProblem problem, TeamRanking ranking) {
       this.problem = problem;
+      this.ranking = ranking;
       this.explainer = new WaitExplainer(problem);
       this.costs = new Costs(problem);
       this.places = new PlaceReservations(problem.placesInUse());
@@ -85,19 +89,41 @@ public final class TeamAllocator implements Allocator {
     private void gatherTeam(AllocationTask task) {
       List<Candidate> usable =
           problem.freeRobots().stream().filter(r -> !taken.containsKey(r.robot())).toList();
-      List<Candidate> nearest = team(task, usable, fitting(task), costs);
+      List<Member> team = team(task, usable, fitting(task));
       int needed = size(task, fitting(task)).orElse(Integer.MAX_VALUE);
-      if (nearest.size() == needed) {
-        nearest.forEach(r -> taken.put(r.robot(), task.id()));
+      if (team.size() == needed) {
+        team.forEach(m -> taken.put(m.robot().robot(), task.id()));
         places.reserve(task, true);
-        decisions.add(assigned(task, nearest, costs));
+        decisions.add(assigned(task, team));
         return;
       }
       if (singleRobotTasks.isEmpty() && needed <= MOST_ROBOTS) {
-        nearest.forEach(r -> taken.put(r.robot(), task.id()));
+        team.forEach(m -> taken.put(m.robot().robot(), task.id()));
         places.keepForWaiting(task, true);
       }
       decisions.add(explainer.unassigned(task));
+    }
+
+    /** The first of those that are free; fewer than are needed where not enough are. */
+    private List<Member> team(AllocationTask task, List<Candidate> free, List<Candidate> robots) {
+      Optional<Integer> size = size(task, robots);
+      if (size.isEmpty()) {
+        return List.of();
+      }
+      AllocationTask share = share(task, size.get());
+      List<Member> able = new ArrayList<>();
+      for (Candidate robot : free) {
+        Costs.Cost cost = costs.of(share, robot);
+        if (cost.isPossible()) {
+          able.add(new Member(robot, cost.approach()));
+        }
+      }
+      return able.stream().sorted(ranking.order(task)).limit(size.get()).toList();
+    }
+
+    private Decision assigned(AllocationTask task, List<Member> team) {
+      List<String> robots = team.stream().map(m -> m.robot().robot()).toList();
+      return new Decision.Assigned(task.id(), robots, ranking.reason(task, team));
     }
 
     /** The tasks for one robot each whose places no team has taken. */
@@ -121,36 +147,9 @@ public final class TeamAllocator implements Allocator {
     };
   }
 
-  private record Priced(Candidate robot, Cost cost) {}
-
-  /** The nearest of those that are free; fewer than are needed where not enough are. */
-  private static List<Candidate> team(
-      AllocationTask job, List<Candidate> free, List<Candidate> robots, Costs costs) {
-    Optional<Integer> size = size(job, robots);
-    if (size.isEmpty()) {
-      return List.of();
-    }
-    AllocationTask share = share(job, size.get());
-    return free.stream()
-        .map(r -> new Priced(r, costs.of(share, r)))
-        .filter(p -> p.cost().isPossible())
-        .sorted(comparingDouble(p -> p.cost().approach()))
-        .map(Priced::robot)
-        .limit(size.get())
-        .toList();
-  }
-
   private static AllocationTask share(AllocationTask task, int robots) {
     return new AllocationTask(
         task.id(), task.load() / robots, task.start(), task.goal(), task.waitsFrom());
-  }
-
-  private static Decision assigned(AllocationTask task, List<Candidate> team, Costs costs) {
-    double approach = costs.of(share(task, team.size()), team.getFirst()).approach();
-    Sentence why =
-        Phrase.TOO_HEAVY_FOR_ONE.with(
-            team.size(), task.load() / team.size(), team.getFirst().robot(), approach);
-    return new Decision.Assigned(task.id(), team.stream().map(Candidate::robot).toList(), why);
   }
 
   private static AllocationProblem withRemaining(

@@ -48,6 +48,11 @@ final class Zones {
     return robots.get(zone);
   }
 
+  /** The zone that is the robot's. */
+  int zoneOfRobot(Candidate robot) {
+    return robots.indexOf(robot);
+  }
+
   /**
    * The zone of the point, the ones beside it, and so on outward; of two that are as far, the one
    * whose middle is nearer to the point.

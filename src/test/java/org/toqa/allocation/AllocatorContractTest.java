@@ -23,6 +23,7 @@ import java.util.Set;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.toqa.geometry.Vec2;
 import org.toqa.wording.Sentence;
@@ -179,8 +180,8 @@ class AllocatorContractTest {
   }
 
   @ParameterizedTest
-  @MethodSource("allocators")
-  void whereTheStrongRobotIsTooWideTheOthersCarryTogether(Allocator allocator) {
+  @EnumSource
+  void whereTheStrongRobotIsTooWideTheOthersCarryTogether(Policy policy) {
     Candidate wide = sized("wide", 0.6, 0.25, 39);
     List<Candidate> robots =
         List.of(
@@ -200,8 +201,7 @@ class AllocatorContractTest {
         throughADoor(robots, new AllocationTask(1, 8, new Vec2(40, 5), new Vec2(50, 5), NOON));
 
     assertEquals(
-        List.of("b", "a"),
-        Outcome.robots(new TeamAllocator(allocator).allocate(problem).getFirst()));
+        List.of("b", "a"), Outcome.robots(policy.allocator().allocate(problem).getFirst()));
   }
 
   private static List<String> chosen(Allocator allocator, List<Candidate> robots) {
