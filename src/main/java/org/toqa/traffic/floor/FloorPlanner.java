@@ -95,7 +95,7 @@ final class FloorPlanner {
         .pathAmong(robot, claimed)
         .ifPresent(
             sections -> {
-              robot.continueOn(ReservedPath.independent(robot.releasedEnd(), sections));
+              robot.continueOn(ReservedPath.independent(robot.committedEnd(), sections));
               robot.waiting.restart(null);
             });
   }

@@ -44,7 +44,7 @@ final class RoomMaker {
         singleRobotPlanner.pathOutOf(other, other.claimedByOthers(robots.values()), wanted);
     if (out.isPresent()) {
       other.freeUnreleased();
-      other.continueOn(ReservedPath.independent(other.releasedEnd(), out.get()));
+      other.continueOn(ReservedPath.independent(other.committedEnd(), out.get()));
       other.waiting.setSince(other.goal() == null ? null : now);
     }
   }

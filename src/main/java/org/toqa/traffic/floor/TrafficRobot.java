@@ -204,8 +204,8 @@ final class TrafficRobot {
   }
 
   /** A section of its path that covers an area. */
-  Section section(List<Segment> segments, Pose end, SweptArea area) {
-    return new Section(segments, end, area, areaAt(end), area.cells(grid, 0));
+  Section section(List<Segment> segments, Pose end, SweptArea area, boolean endsHalfway) {
+    return new Section(segments, end, area, areaAt(end), area.cells(grid, 0), endsHalfway);
   }
 
   /** How it shall face at a point; null: in any heading. */
@@ -250,12 +250,19 @@ final class TrafficRobot {
         .toList();
   }
 
-  /** Where it will be when it has driven what is released, and where its path goes on. */
+  /** Where it will be when it has driven what it is going to drive anyway, and can go elsewhere. */
+  Pose committedEnd() {
+    ReservedPath path = drive.path();
+    return path == null ? place() : path.poseAfter(drive.committed());
+  }
+
+  /** Where it will be when it has driven what is released. */
   Pose releasedEnd() {
     ReservedPath path = drive.path();
-    if (path != null) {
-      return path.poseAfter(drive.released());
-    }
+    return path == null ? place() : path.poseAfter(drive.released());
+  }
+
+  private Pose place() {
     if (formation == null) {
       return pose;
     }
@@ -270,8 +277,8 @@ final class TrafficRobot {
     return grid.cellAt(pose.position());
   }
 
-  Cell releasedCell() {
-    return grid.cellAt(releasedEnd().position());
+  Cell committedCell() {
+    return grid.cellAt(committedEnd().position());
   }
 
   boolean isAtGoal() {
@@ -306,7 +313,7 @@ final class TrafficRobot {
 
   /** Wants to go somewhere and has no path there, or only one that ends short of it. */
   boolean needsPath() {
-    return goal != null && movable && !drive.hasUnreleased() && !isGoal(releasedEnd());
+    return goal != null && movable && !drive.hasUncommitted() && !isGoal(committedEnd());
   }
 
   /** Is on a path that leads it nearer to its goal, but not there. */
@@ -383,7 +390,7 @@ final class TrafficRobot {
     for (Segment segment : trajectory.segments()) {
       SweptArea area = sweptArea(at, segment);
       at = at.advanced(segment.twist(), segment.t());
-      sections.add(section(List.of(segment), at, area));
+      sections.add(section(List.of(segment), at, area, false));
     }
     continueOn(ReservedPath.independent(trajectory.start(), sections));
     drive.resume(completedSegments, now);
