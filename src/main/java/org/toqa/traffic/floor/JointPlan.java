@@ -133,7 +133,7 @@ final class JointPlan {
       TrafficRobot robot, Pose start, List<Cell> visits, SectionFitter fitter) {
     OccupancyGrid lattice = lanes.cells();
     PassingPlaces.CellPlaces passingPlaces =
-        new PassingPlaces.CellPlaces(lattice, spacing.isNone());
+        new PassingPlaces.CellPlaces(lattice, hasPlacesOnBorders());
     double length = lattice.resolution();
     List<Section> turning =
         fitter.fit(
@@ -163,6 +163,14 @@ final class JointPlan {
       }
     }
     return fits.isEmpty() ? turning : fits.getFirst();
+  }
+
+  /**
+   * On cells of the floor itself that leave robots their distance. Where a lane cell is made of
+   * several, goals are beside its middle, and who stops halfway could be planned to and fro.
+   */
+  private boolean hasPlacesOnBorders() {
+    return spacing.isNone() && lanes.cells().width() == freeSpace.grid().width();
   }
 
   /** For each visit: of those who are there or too near to it, before, the last at each cell. */

@@ -3,7 +3,6 @@ package org.toqa.traffic.floor;
 import java.time.Instant;
 import java.util.ArrayList;
 import java.util.BitSet;
-import java.util.Collection;
 import java.util.List;
 import java.util.Objects;
 import java.util.Optional;
@@ -242,27 +241,20 @@ final class TrafficRobot {
     return areas;
   }
 
-  /** What other robots have or will need. */
-  List<SweptArea> claimedByOthers(Collection<TrafficRobot> robots) {
-    return robots.stream()
-        .filter(other -> other != this)
-        .flatMap(other -> other.claimed().stream())
-        .toList();
-  }
-
   /** Where it will be when it has driven what it is going to drive anyway, and can go elsewhere. */
   Pose committedEnd() {
-    ReservedPath path = drive.path();
-    return path == null ? place() : path.poseAfter(drive.committed());
+    return poseAfter(drive.committed());
   }
 
   /** Where it will be when it has driven what is released. */
   Pose releasedEnd() {
-    ReservedPath path = drive.path();
-    return path == null ? place() : path.poseAfter(drive.released());
+    return poseAfter(drive.released());
   }
 
-  private Pose place() {
+  private Pose poseAfter(int sections) {
+    if (drive.path() != null) {
+      return drive.path().poseAfter(sections);
+    }
     if (formation == null) {
       return pose;
     }
