@@ -90,6 +90,13 @@ final class Drive {
     return released;
   }
 
+  /**
+   * How many sections it is going to drive, whatever is planned: to the end of a cell's passage.
+   */
+  int committed() {
+    return path == null ? 0 : path.committed(released);
+  }
+
   Instant lastProgress() {
     return lastProgress;
   }
@@ -108,9 +115,14 @@ final class Drive {
     return path != null && released < path.sectionCount();
   }
 
+  /** Whether a part of its path can still be planned otherwise. */
+  boolean hasUncommitted() {
+    return path != null && committed() < path.sectionCount();
+  }
+
   /** Whether what is left of its path was planned together with others' paths. */
   boolean isOnSharedPath() {
-    return path != null && path.isShared() && hasUnreleased();
+    return path != null && path.isShared() && hasUncommitted();
   }
 
   boolean isCompleted() {
@@ -186,14 +198,14 @@ final class Drive {
   }
 
   /** Where the sections end that it may not drive yet, metres, map frame. */
-  List<Vec2> unreleasedEnds() {
+  List<Vec2> uncommittedEnds() {
     return unreleased().stream().map(section -> section.end().position()).toList();
   }
 
-  /** Begins another path where the released part of this one ends. */
+  /** Begins another path where the part of this one ends that it is going to drive anyway. */
   void continueOn(ReservedPath next) {
     ReservedPath former = path;
-    path = former == null ? next : former.continuedWith(released, next);
+    path = former == null ? next : former.continuedWith(committed(), next);
     if (former == null) {
       completed = 0;
       completedSegments = 0;
@@ -328,13 +340,21 @@ final class Drive {
    * @return whether there was anything
    */
   boolean freeUnreleased() {
+    return freeAfter(released);
+  }
+
+  /** Gives up what can still be planned otherwise. */
+  void freeUncommitted() {
+    freeAfter(committed());
+  }
+
+  private boolean freeAfter(int count) {
     ReservedPath former = path;
-    if (former == null || released == former.sectionCount()) {
+    if (former == null || count == former.sectionCount()) {
       return false;
     }
     path =
-        former.continuedWith(
-            released, ReservedPath.independent(former.poseAfter(released), List.of()));
+        former.continuedWith(count, ReservedPath.independent(former.poseAfter(count), List.of()));
     pathNumber++;
     isChangeUnsent = true;
     return true;

@@ -87,7 +87,7 @@ final class FloorPlanner {
   }
 
   private void planSingleRobot(TrafficRobot robot, Collection<TrafficRobot> robots) {
-    List<SweptArea> claimed = new ArrayList<>(robot.claimedByOthers(robots));
+    List<SweptArea> claimed = new ArrayList<>(Allocation.claimedByOthers(robot, robots));
     robots.stream()
         .filter(other -> other.hasPrecedenceOver(robot))
         .forEach(other -> claimed.addAll(other.waiting.wanted()));
@@ -95,7 +95,7 @@ final class FloorPlanner {
         .pathAmong(robot, claimed)
         .ifPresent(
             sections -> {
-              robot.continueOn(ReservedPath.independent(robot.releasedEnd(), sections));
+              robot.continueOn(ReservedPath.independent(robot.committedEnd(), sections));
               robot.waiting.restart(null);
             });
   }

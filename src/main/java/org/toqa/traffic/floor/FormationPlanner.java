@@ -64,7 +64,7 @@ final class FormationPlanner {
       Vec2 goal,
       BitSet solid,
       List<SweptArea> claimed) {
-    Pose start = robot.releasedEnd();
+    Pose start = robot.committedEnd();
     return Stream.of(FormationClearance.MARGIN, FormationClearance.LEAST_MARGIN)
         .map(margin -> new FormationClearance(grid, formation, start, solid, claimed, margin))
         .flatMap(clearance -> path(robot, formation.shape(), start, goal, clearance).stream())

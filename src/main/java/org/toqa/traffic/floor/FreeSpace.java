@@ -141,7 +141,7 @@ final class FreeSpace {
    * obstacles, metres.
    */
   boolean hasRoom(TrafficRobot robot, List<Section> sections, double room) {
-    return isClearOf(robot.releasedEnd(), sections, robot.radius() + room, blocked);
+    return isClearOf(robot.committedEnd(), sections, robot.radius() + room, blocked);
   }
 
   /** Whether a disc of some radius on that path, which begins at a pose, touches no such cell. */

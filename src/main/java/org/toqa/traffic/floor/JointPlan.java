@@ -87,8 +87,7 @@ final class JointPlan {
     }
     byVertex.values().forEach(v -> v.sort(Comparator.comparingInt(Visit::enters)));
     for (int robot = 0; robot < robots.size(); robot++) {
-      ReservedPath path = robots.get(robot).drive.path();
-      if (path != null && !path.visits().isEmpty()) {
+      if (visits.get(robot).size() > 1) {
         robots.get(robot).drive.setDependencies(dependencies(visits.get(robot), byVertex));
       }
     }
@@ -109,11 +108,11 @@ final class JointPlan {
 
   private void assignPath(TrafficRobot robot, List<Cell> visits, SectionFitter fitter) {
     if (visits.size() == 1) {
-      robot.freeUnreleased();
+      robot.drive.freeUncommitted();
       return;
     }
     OccupancyGrid lattice = lanes.cells();
-    Pose start = robot.releasedEnd();
+    Pose start = robot.committedEnd();
     List<Section> sections = sections(robot, start, visits, fitter);
     robot.continueOn(
         new ReservedPath(
@@ -133,7 +132,8 @@ final class JointPlan {
   private List<Section> sections(
       TrafficRobot robot, Pose start, List<Cell> visits, SectionFitter fitter) {
     OccupancyGrid lattice = lanes.cells();
-    PassingPlaces passingPlaces = new PassingPlaces.CellCentres(lattice);
+    PassingPlaces.CellPlaces passingPlaces =
+        new PassingPlaces.CellPlaces(lattice, hasPlacesOnBorders());
     double length = lattice.resolution();
     List<Section> turning =
         fitter.fit(
@@ -142,7 +142,7 @@ final class JointPlan {
             waypointsFromCentre(lanes, visits, 0, lanes.goalCell(robot), i -> true),
             length,
             passingPlaces);
-    if (!passingPlaces.isPassingPlace(start.position(), 0)) {
+    if (!passingPlaces.isCentre(start.position())) {
       return turning;
     }
     List<Waypoint> waypoints = lanes.waypoints(visits, 0, lanes.goalCell(robot), i -> false);
@@ -163,6 +163,14 @@ final class JointPlan {
       }
     }
     return fits.isEmpty() ? turning : fits.getFirst();
+  }
+
+  /**
+   * On cells of the floor itself that leave robots their distance. Where a lane cell is made of
+   * several, goals are beside its middle, and who stops halfway could be planned to and fro.
+   */
+  private boolean hasPlacesOnBorders() {
+    return spacing.isNone() && lanes.cells().width() == freeSpace.grid().width();
   }
 
   /** For each visit: of those who are there or too near to it, before, the last at each cell. */

@@ -227,7 +227,7 @@ final class LanePlanner {
                 && !robot.isStalled()
                 && robot.formation() == null
                 && robot.radius() <= diameter / 2
-                && robot.drive.hasUnreleased();
+                && robot.drive.hasUncommitted();
         if (canJoin && !planned.contains(robot) && isNearPlanned(robot, reach)) {
           planned.add(robot);
         }
@@ -235,9 +235,9 @@ final class LanePlanner {
     }
 
     private boolean isNearPlanned(TrafficRobot robot, double reach) {
-      List<Vec2> points = robot.drive.unreleasedEnds();
+      List<Vec2> points = robot.drive.uncommittedEnds();
       return planned.stream()
-          .map(other -> other.releasedEnd().position())
+          .map(other -> other.committedEnd().position())
           .anyMatch(end -> points.stream().anyMatch(point -> point.distanceTo(end) < reach));
     }
 
@@ -261,7 +261,7 @@ final class LanePlanner {
 
     /** Whether it is near to the middle of a lane cell, and can go straight there. */
     private boolean isOnLane(TrafficRobot robot) {
-      Pose pose = robot.releasedEnd();
+      Pose pose = robot.committedEnd();
       OccupancyGrid lattice = lanes.lattice();
       Cell cell = lattice.cellAt(pose.position());
       if (!lattice.contains(cell)) {
@@ -287,7 +287,7 @@ final class LanePlanner {
     }
 
     private RoadGraph buildRoads() {
-      return lanes.roads(occupied, planned.stream().map(TrafficRobot::releasedEnd).toList());
+      return lanes.roads(occupied, planned.stream().map(TrafficRobot::committedEnd).toList());
     }
 
     /**
@@ -302,7 +302,7 @@ final class LanePlanner {
       Set<Cell> taken = new HashSet<>();
       List<TrafficRobot> aside = new ArrayList<>();
       for (TrafficRobot robot : planned) {
-        Cell cell = lanes.lattice().cellAt(robot.releasedEnd().position());
+        Cell cell = lanes.lattice().cellAt(robot.committedEnd().position());
         if (!isOnLane(robot) || roads.vertex(cell) == RoadGraph.NONE || !taken.add(cell)) {
           aside.add(robot);
         } else {
@@ -315,7 +315,7 @@ final class LanePlanner {
     }
 
     private boolean assignPlace(TrafficRobot robot, Set<Cell> taken, List<SweptArea> swept) {
-      Pose from = robot.releasedEnd();
+      Pose from = robot.committedEnd();
       for (Cell cell : lanes.cellsAround(from.position())) {
         if (roads.vertex(cell) == RoadGraph.NONE || taken.contains(cell)) {
           continue;
@@ -324,7 +324,10 @@ final class LanePlanner {
         double length = lanes.lattice().resolution();
         List<Section> sections =
             fitter.fit(robot, from, middle, length, new PassingPlaces.OnlyAtEnd());
-        if (sections.size() == 1 && canDrive(robot, from, sections.getFirst(), swept)) {
+        boolean isStopped = robot.drive.released() == robot.drive.committed();
+        if (isStopped
+            && sections.size() == 1
+            && canDrive(robot, from, sections.getFirst(), swept)) {
           swept.add(sections.getFirst().area());
           taken.add(cell);
           places.put(robot, cell);
@@ -377,13 +380,13 @@ final class LanePlanner {
     private void adopt(RoadGraph plannedOn, Spacing kept, List<int[]> steps) {
       for (TrafficRobot robot : robots) {
         if (!places.containsKey(robot) && robot.drive.isOnSharedPath()) {
-          robot.freeUnreleased();
+          robot.drive.freeUncommitted();
         }
       }
       for (TrafficRobot robot : planned) {
         List<Section> sections = sectionsToPlaces.get(robot);
         if (sections != null) {
-          robot.continueOn(ReservedPath.independent(robot.releasedEnd(), sections));
+          robot.continueOn(ReservedPath.independent(robot.committedEnd(), sections));
           robot.drive.releaseAll();
           sections.forEach(s -> claims.add(robot, s.area()));
         }

@@ -27,6 +27,9 @@ import org.toqa.traffic.lifelong.TrafficSnapshot;
 final class NextStepsPlanner {
   private static final int MOST_STEPS = 5;
 
+  /** So many steps of a plan are left to a robot on its way to where it begins, and more. */
+  private static final int MOST_DELAY = 2;
+
   private final DoubleFunction<LifelongPlanner> planners;
   private @Nullable LaneGrid lanes;
   private @Nullable LifelongPlanner planner;
@@ -90,11 +93,28 @@ final class NextStepsPlanner {
 
   private static PlannedRobot planned(
       TrafficRobot robot, Cell start, Cell goal, double step, Instant now) {
-    Pose end = robot.releasedEnd();
+    Pose end = robot.committedEnd();
     Instant since = robot.waiting.since();
     double waited = since == null ? 0 : Duration.between(since, now).toMillis() / 1000.0;
     return new PlannedRobot(
-        robot.name, new GridPose(start, Heading.nearest(end.theta())), goal, (int) (waited / step));
+        robot.name,
+        new GridPose(start, Heading.nearest(end.theta())),
+        goal,
+        (int) (waited / step),
+        false,
+        (int) Math.min(MOST_DELAY, Math.round(secondsUntilThere(robot) / step)));
+  }
+
+  /** Seconds at the planned speed until it is where it is planned from. */
+  private static double secondsUntilThere(TrafficRobot robot) {
+    Drive drive = robot.drive;
+    ReservedPath path = drive.path();
+    return path == null
+        ? 0
+        : Allocation.secondsAhead(robot)
+            + path.sections().subList(drive.released(), drive.committed()).stream()
+                .mapToDouble(Section::duration)
+                .sum();
   }
 
   /** The edges that can be driven at times, but not now. */

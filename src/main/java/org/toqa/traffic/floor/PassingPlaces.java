@@ -2,6 +2,7 @@ package org.toqa.traffic.floor;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.TreeSet;
 import org.toqa.geometry.Vec2;
 import org.toqa.grid.Cell;
 import org.toqa.grid.OccupancyGrid;
@@ -23,15 +24,31 @@ sealed interface PassingPlaces {
    */
   boolean isPassingPlace(Vec2 point, double covered);
 
-  /** In the middle of each cell. */
-  record CellCentres(OccupancyGrid cells) implements PassingPlaces {
-    /** How near to a cell's middle, in cells, a robot counts as in it. */
+  /** Whether a place is between two cells: whoever stops there has still to go on to the next. */
+  default boolean isHalfway(Vec2 point) {
+    return false;
+  }
+
+  /**
+   * In the middle of each cell, and perhaps on the border of two: so that whoever follows another
+   * one comes as near as both may, and not only as near as whole cells allow.
+   *
+   * @param bordersToo only where robots in the middles of two cells keep their distance by
+   *     themselves: on narrower cells one that is between two keeps others off more of them
+   */
+  record CellPlaces(OccupancyGrid cells, boolean bordersToo) implements PassingPlaces {
+    /** How near to a cell's middle, or a border's, in cells, a robot counts as in it. */
     private static final double NEAR = 0.2;
+
+    /** A straight that is so much along one axis goes over borders in their middles. */
+    private static final double ALONG_AXIS = 0.999;
 
     @Override
     public List<Double> distancesAlong(Vec2 from, Vec2 forward, double length) {
-      List<Double> found = new ArrayList<>();
+      TreeSet<Double> found = new TreeSet<>();
       double step = cells.resolution() / 2;
+      boolean isOverBorders =
+          bordersToo && Math.max(Math.abs(forward.x()), Math.abs(forward.y())) > ALONG_AXIS;
       Cell last = null;
       for (double s = 0; s <= length; s += step) {
         Cell cell = cells.cellAt(from.plus(forward.times(s)));
@@ -42,17 +59,47 @@ sealed interface PassingPlaces {
         Vec2 toMiddle = cells.centre(cell).minus(from);
         double along = toMiddle.x() * forward.x() + toMiddle.y() * forward.y();
         double beside = Math.abs(toMiddle.y() * forward.x() - toMiddle.x() * forward.y());
-        boolean isInside = along > NEAR * step && along < length - NEAR * step;
-        if (beside < NEAR * cells.resolution() && isInside) {
-          found.add(along);
+        if (beside >= NEAR * cells.resolution()) {
+          continue;
+        }
+        addInside(along, length, found);
+        if (isOverBorders) {
+          addInside(along - step, length, found);
+          addInside(along + step, length, found);
         }
       }
-      return found;
+      return List.copyOf(found);
+    }
+
+    /** Adds a place, unless it is hardly inside or was found from the cell before. */
+    private void addInside(double along, double length, TreeSet<Double> found) {
+      double least = NEAR * cells.resolution() / 2;
+      Double before = found.floor(along + least);
+      boolean isNew = before == null || before < along - least;
+      if (isNew && along > least && along < length - least) {
+        found.add(along);
+      }
     }
 
     @Override
     public boolean isPassingPlace(Vec2 point, double covered) {
+      return isCentre(point) || isHalfway(point);
+    }
+
+    /** Whether a robot there is in the middle of a cell. */
+    boolean isCentre(Vec2 point) {
       return point.distanceTo(cells.centre(cells.cellAt(point))) < NEAR * cells.resolution();
+    }
+
+    @Override
+    public boolean isHalfway(Vec2 point) {
+      if (!bordersToo) {
+        return false;
+      }
+      Vec2 aside = point.minus(cells.centre(cells.cellAt(point)));
+      double more = Math.max(Math.abs(aside.x()), Math.abs(aside.y())) / cells.resolution();
+      double less = Math.min(Math.abs(aside.x()), Math.abs(aside.y())) / cells.resolution();
+      return less < NEAR && more > 0.5 - NEAR / 2;
     }
   }
 

@@ -132,7 +132,7 @@ final class PlanAdopter {
     if (along == null || along == 0 || !path.path().isShared()) {
       return true;
     }
-    int last = path.path().visitAfterSections(along);
+    int last = path.path().visitAfterSections(path.path().committed(along));
     return path.path().dependencies().subList(0, last + 1).stream()
         .flatMap(List::stream)
         .allMatch(dependency -> isOver(adoption, dependency));
@@ -140,8 +140,11 @@ final class PlanAdopter {
 
   private static boolean isOver(Adoption adoption, Dependency dependency) {
     Integer along = adoption.along.get(dependency.robot());
-    return along == null
-        || adoption.path(dependency.robot()).path().visitAfterSections(along) > dependency.visit();
+    if (along == null) {
+      return true;
+    }
+    ReservedPath path = adoption.path(dependency.robot()).path();
+    return path.visitAfterSections(path.committed(along)) > dependency.visit();
   }
 
   /** Whether what it is to drive to where it was planned from is still free; it is its own then. */
@@ -170,7 +173,7 @@ final class PlanAdopter {
     Integer along = adoption.along.get(path.robot());
     if (along == null || path.isStop()) {
       trigger.markFreed(robot);
-      robot.freeUnreleased();
+      robot.drive.freeUncommitted();
     } else {
       robot.adopt(withDependenciesOn(adoption, path), along);
     }
@@ -206,9 +209,11 @@ final class PlanAdopter {
       if (robot == null) {
         continue;
       }
-      if (adoption.along(path) == 0 && meetsNobody(robot, path, strangers)) {
+      int along = adoption.along(path);
+      boolean isBefore = along >= 0 && along <= path.path().inherited();
+      if (isBefore && meetsNobody(robot, path, strangers)) {
         trigger.markFreed(robot);
-        robot.adopt(path, 0);
+        robot.adopt(path, along);
         robot.waiting.setSince(path.waitsSince());
       } else {
         robot.waiting.forgetPath();

@@ -7,7 +7,7 @@ import org.jspecify.annotations.Nullable;
  * How a robot's path is to go on behind what was released of it when the floor was pictured.
  *
  * @param robot its name
- * @param path that part of the path; without sections: it is to stop there
+ * @param path that part of the path; without sections but inherited ones: it is to stop there
  * @param number of the path, by which others in the plan wait for it
  * @param releasedAtOnce so many of the sections lead to where it was planned from, and are to be
  *     driven at once
@@ -36,7 +36,7 @@ record ProposedPath(
   }
 
   boolean isStop() {
-    return path.sectionCount() == 0;
+    return path.sectionCount() == path.inherited();
   }
 
   /** Whether it has no order with others' paths, since it meets none. */

@@ -74,6 +74,15 @@ record ReservedPath(
     return count;
   }
 
+  /** After how many sections a robot that may drive the first {@code count} is in a cell again. */
+  int committed(int count) {
+    int end = count;
+    while (end > 0 && end < sectionCount() && sections.get(end - 1).endsHalfway()) {
+      end++;
+    }
+    return end;
+  }
+
   /** Where the robot is after the first {@code count} sections. */
   Pose poseAfter(int count) {
     return count == 0 ? start : sections.get(count - 1).end();
@@ -104,6 +113,9 @@ record ReservedPath(
    */
   ReservedPath continuedWith(int count, ReservedPath next, int along) {
     List<Section> joined = new ArrayList<>(sections.subList(0, count));
+    if (next.inherited == 0 && along == 0 && count > 0) {
+      joined.set(count - 1, joined.getLast().asLast());
+    }
     joined.addAll(next.sections.subList(along, next.sectionCount()));
     return new ReservedPath(
         start,

@@ -41,10 +41,10 @@ final class RoomMaker {
       return;
     }
     Optional<List<Section>> out =
-        singleRobotPlanner.pathOutOf(other, other.claimedByOthers(robots.values()), wanted);
+        singleRobotPlanner.pathOutOf(other, Allocation.claimedByOthers(other, robots.values()), wanted);
     if (out.isPresent()) {
       other.freeUnreleased();
-      other.continueOn(ReservedPath.independent(other.releasedEnd(), out.get()));
+      other.continueOn(ReservedPath.independent(other.committedEnd(), out.get()));
       other.waiting.setSince(other.goal() == null ? null : now);
     }
   }

@@ -2,6 +2,8 @@ package org.toqa.traffic.floor;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Objects;
+import org.jspecify.annotations.Nullable;
 import org.toqa.geometry.Pose;
 import org.toqa.geometry.Vec2;
 import org.toqa.geometry.Waypoint;
@@ -36,39 +38,71 @@ final class SectionFitter {
   }
 
   List<Section> split(TrafficRobot robot, Trajectory trajectory, PassingPlaces passingPlaces) {
-    List<Section> sections = new ArrayList<>();
-    OpenSection open = new OpenSection();
+    List<Part> parts = new ArrayList<>();
+    Part open = new Part();
     Pose pose = trajectory.start();
     for (Segment whole : trajectory.segments()) {
       for (Segment piece : split(pose, whole, passingPlaces)) {
-        open.add(piece, robot.sweptArea(pose, piece));
+        SweptArea area = robot.sweptArea(pose, piece);
         pose = pose.advanced(piece.twist(), piece.t());
+        open.add(piece, area, pose);
         if (passingPlaces.isPassingPlace(pose.position(), open.length)) {
-          sections.add(open.closedAt(pose, robot));
-          open = new OpenSection();
+          open.endsHalfway = passingPlaces.isHalfway(pose.position());
+          parts.add(open);
+          open = new Part();
         }
       }
     }
     if (!open.segments.isEmpty()) {
-      sections.add(open.closedAt(pose, robot));
+      parts.add(open);
     }
-    return sections;
+    joinThroughCells(parts);
+    return parts.stream()
+        .map(
+            part ->
+                robot.section(
+                    part.segments,
+                    Objects.requireNonNull(part.end),
+                    SweptArea.union(part.swept),
+                    part.endsHalfway))
+        .toList();
   }
 
-  /** What belongs to the next section. */
-  private static final class OpenSection {
+  /**
+   * Before a cell that is gone through without a place to stop in it, as on an arc, nobody stops
+   * halfway: it would keep the way through that cell, where another could come.
+   */
+  private static void joinThroughCells(List<Part> parts) {
+    if (!parts.isEmpty()) {
+      parts.getLast().endsHalfway = false;
+    }
+    for (int i = parts.size() - 2; i >= 0; i--) {
+      if (parts.get(i).endsHalfway && parts.get(i + 1).endsHalfway) {
+        parts.get(i).join(parts.remove(i + 1));
+      }
+    }
+  }
+
+  /** What is to be a section. */
+  private static final class Part {
     final List<Segment> segments = new ArrayList<>();
     final List<SweptArea> swept = new ArrayList<>();
     double length;
+    @Nullable Pose end;
+    boolean endsHalfway;
 
-    void add(Segment piece, SweptArea area) {
+    void add(Segment piece, SweptArea area, Pose pieceEnd) {
       segments.add(piece);
       swept.add(area);
       length += piece.length();
+      end = pieceEnd;
     }
 
-    Section closedAt(Pose end, TrafficRobot robot) {
-      return robot.section(segments, end, SweptArea.union(swept));
+    void join(Part next) {
+      segments.addAll(next.segments);
+      swept.addAll(next.swept);
+      length += next.length;
+      end = next.end;
     }
   }
 

@@ -61,7 +61,7 @@ final class SectionReleaser {
 
   private boolean canEnter(TrafficRobot robot, ReservedPath path, int index) {
     Section section = path.sections().get(index);
-    Vec2 where = section.end().position();
+    Vec2 where = path.poseAfter(path.committed(index + 1)).position();
     SweptArea standing = robot.areaAt(path.poseAfter(index));
     for (TrafficRobot other : claims.tooNear(robot, standing, section.area())) {
       robot.waiting.setBlockedReason(new WaitReason.RobotPassing(other.name, where));
@@ -70,7 +70,7 @@ final class SectionReleaser {
     if (index < path.inherited() || !path.isShared()) {
       return true;
     }
-    int last = path.visitAfterSections(index + 1);
+    int last = path.visitAfterSections(path.committed(index + 1));
     for (int v = path.visitAfterSections(index) + 1; v <= last; v++) {
       for (Dependency dependency : path.dependencies().get(v)) {
         if (!isOver(dependency)) {
@@ -88,7 +88,7 @@ final class SectionReleaser {
     return other == null
         || other.drive.pathNumber() != dependency.pathNumber()
         || other.drive.path() == null
-        || other.drive.path().visitAfterSections(other.drive.released()) > dependency.visit();
+        || other.drive.path().visitAfterSections(other.drive.committed()) > dependency.visit();
   }
 
   /** Whether it has been stopped before the section for a little. */
@@ -106,11 +106,11 @@ final class SectionReleaser {
   private boolean splitCorner(TrafficRobot robot, ReservedPath path) {
     int index = robot.drive.released();
     LanePoints lanes = path.lanes();
-    if (lanes == null || index < path.inherited()) {
+    if (lanes == null || index < path.inherited() || index < path.committed(index)) {
       return false;
     }
     int from = path.visitAfterSections(index);
-    int until = path.visitAfterSections(index + 1);
+    int until = path.visitAfterSections(path.committed(index + 1));
     if (until - from < 2) {
       return false;
     }
@@ -125,7 +125,7 @@ final class SectionReleaser {
             pose,
             waypoints,
             lanes.cells().resolution(),
-            new PassingPlaces.CellCentres(lanes.cells()));
+            new PassingPlaces.CellPlaces(lanes.cells(), false));
     robot.drive.replaceUnreleased(
         sections, JointPlan.visitsAtEnds(lanes.cells(), pose, sections, visits, from));
     robot.waiting.restartBlocked();

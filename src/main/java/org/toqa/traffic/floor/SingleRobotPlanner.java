@@ -177,7 +177,7 @@ final class SingleRobotPlanner {
     if (goal == null) {
       return Optional.empty();
     }
-    SweptArea standing = robot.areaAt(robot.releasedEnd());
+    SweptArea standing = robot.areaAt(robot.committedEnd());
     return fittedPath(
         free,
         robot,
@@ -191,8 +191,8 @@ final class SingleRobotPlanner {
   }
 
   private OccupancyGrid freeCells(TrafficRobot robot, double room, List<SweptArea> claimed) {
-    SweptArea standing = robot.areaAt(robot.releasedEnd());
-    return freeSpace.freeCells(robot.radius(), room, claimed, standing, robot.releasedCell());
+    SweptArea standing = robot.areaAt(robot.committedEnd());
+    return freeSpace.freeCells(robot.radius(), room, claimed, standing, robot.committedCell());
   }
 
   /** Clear of walls and obstacles; straight to a goal that is near, else over cells. */
@@ -232,7 +232,7 @@ final class SingleRobotPlanner {
     return side > 1
             && point != null
             && goal.equals(robot.goalCell())
-            && robot.releasedEnd().position().distanceTo(point) < near
+            && robot.committedEnd().position().distanceTo(point) < near
         ? Optional.of(List.of(new Waypoint(point, false)))
         : Optional.empty();
   }
@@ -243,7 +243,7 @@ final class SingleRobotPlanner {
    */
   private boolean isClear(TrafficRobot robot, List<Section> sections) {
     OccupancyGrid grid = freeSpace.grid();
-    Pose pose = robot.releasedEnd();
+    Pose pose = robot.committedEnd();
     BitSet touched = new BitSet();
     robot.areaAt(pose).cells(grid, 0).addTo(touched);
     touched.and(freeSpace.blocked());
@@ -270,7 +270,7 @@ final class SingleRobotPlanner {
     Cell entry = entry(free, robot);
     Cell exit = exit(free, robot, goal);
     List<Waypoint> waypoints = new ArrayList<>();
-    if (!entry.equals(robot.releasedCell())) {
+    if (!entry.equals(robot.committedCell())) {
       waypoints.add(new Waypoint(grid.centre(entry), false));
     }
     Optional<Path> path = path(free, entry, exit);
@@ -302,10 +302,11 @@ final class SingleRobotPlanner {
    * its cell is too near to something.
    */
   private Cell entry(OccupancyGrid free, TrafficRobot robot) {
-    Cell here = robot.releasedCell();
+    Cell here = robot.committedCell();
     return freeSpace.freeCells(robot.radius()).isFree(here) && isOpen(free, here)
         ? here
-        : nearestCell(robot.releasedEnd().position(), here, c -> !c.equals(here) && free.isFree(c));
+        : nearestCell(
+            robot.committedEnd().position(), here, c -> !c.equals(here) && free.isFree(c));
   }
 
   private static boolean isOpen(OccupancyGrid free, Cell cell) {
@@ -345,7 +346,9 @@ final class SingleRobotPlanner {
     int side = LaneGrid.side(grid, 2 * robot.radius());
     double narrow = grid.resolution();
     PassingPlaces passingPlaces =
-        side == 1 ? new PassingPlaces.CellCentres(grid) : new PassingPlaces.Spaced(side * narrow);
+        side == 1
+            ? new PassingPlaces.CellPlaces(grid, false)
+            : new PassingPlaces.Spaced(side * narrow);
     List<Waypoint> exact = side == 1 ? waypoints : endingAtGoal(robot, waypoints);
     List<List<Section>> fits =
         Stream.concat(
@@ -354,9 +357,10 @@ final class SingleRobotPlanner {
                     .mapToObj(
                         cells ->
                             fitter.fit(
-                                robot, robot.releasedEnd(), exact, cells * narrow, passingPlaces)),
+                                robot, robot.committedEnd(), exact, cells * narrow, passingPlaces)),
                 Stream.of(
-                    fitter.fit(robot, robot.releasedEnd(), stopping(exact), narrow, passingPlaces)))
+                    fitter.fit(
+                        robot, robot.committedEnd(), stopping(exact), narrow, passingPlaces)))
             .filter(sections -> !sections.isEmpty() && isAcceptable.test(sections))
             .toList();
     return Clearance.WALL_STEPS.stream()

@@ -3,7 +3,6 @@ package org.toqa.traffic.floor;
 import java.time.Instant;
 import java.util.ArrayList;
 import java.util.BitSet;
-import java.util.Collection;
 import java.util.List;
 import java.util.Objects;
 import java.util.Optional;
@@ -204,8 +203,8 @@ final class TrafficRobot {
   }
 
   /** A section of its path that covers an area. */
-  Section section(List<Segment> segments, Pose end, SweptArea area) {
-    return new Section(segments, end, area, areaAt(end), area.cells(grid, 0));
+  Section section(List<Segment> segments, Pose end, SweptArea area, boolean endsHalfway) {
+    return new Section(segments, end, area, areaAt(end), area.cells(grid, 0), endsHalfway);
   }
 
   /** How it shall face at a point; null: in any heading. */
@@ -242,19 +241,19 @@ final class TrafficRobot {
     return areas;
   }
 
-  /** What other robots have or will need. */
-  List<SweptArea> claimedByOthers(Collection<TrafficRobot> robots) {
-    return robots.stream()
-        .filter(other -> other != this)
-        .flatMap(other -> other.claimed().stream())
-        .toList();
+  /** Where it will be when it has driven what it is going to drive anyway, and can go elsewhere. */
+  Pose committedEnd() {
+    return poseAfter(drive.committed());
   }
 
-  /** Where it will be when it has driven what is released, and where its path goes on. */
+  /** Where it will be when it has driven what is released. */
   Pose releasedEnd() {
-    ReservedPath path = drive.path();
-    if (path != null) {
-      return path.poseAfter(drive.released());
+    return poseAfter(drive.released());
+  }
+
+  private Pose poseAfter(int sections) {
+    if (drive.path() != null) {
+      return drive.path().poseAfter(sections);
     }
     if (formation == null) {
       return pose;
@@ -270,8 +269,8 @@ final class TrafficRobot {
     return grid.cellAt(pose.position());
   }
 
-  Cell releasedCell() {
-    return grid.cellAt(releasedEnd().position());
+  Cell committedCell() {
+    return grid.cellAt(committedEnd().position());
   }
 
   boolean isAtGoal() {
@@ -306,7 +305,7 @@ final class TrafficRobot {
 
   /** Wants to go somewhere and has no path there, or only one that ends short of it. */
   boolean needsPath() {
-    return goal != null && movable && !drive.hasUnreleased() && !isGoal(releasedEnd());
+    return goal != null && movable && !drive.hasUncommitted() && !isGoal(committedEnd());
   }
 
   /** Is on a path that leads it nearer to its goal, but not there. */
@@ -383,7 +382,7 @@ final class TrafficRobot {
     for (Segment segment : trajectory.segments()) {
       SweptArea area = sweptArea(at, segment);
       at = at.advanced(segment.twist(), segment.t());
-      sections.add(section(List.of(segment), at, area));
+      sections.add(section(List.of(segment), at, area, false));
     }
     continueOn(ReservedPath.independent(trajectory.start(), sections));
     drive.resume(completedSegments, now);

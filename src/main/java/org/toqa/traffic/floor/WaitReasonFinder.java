@@ -4,6 +4,7 @@ import java.util.Collection;
 import java.util.List;
 import java.util.Objects;
 import java.util.Optional;
+import java.util.stream.IntStream;
 import org.jspecify.annotations.Nullable;
 import org.toqa.geometry.Vec2;
 
@@ -38,10 +39,21 @@ final class WaitReasonFinder {
 
   private Optional<WaitReason> firstBlocking(
       TrafficRobot robot, List<Section> sections, Collection<TrafficRobot> robots) {
-    return sections.stream()
-        .map(section -> blocking(robot, section, robots))
+    return IntStream.range(0, sections.size())
+        .mapToObj(i -> blocking(robot, sections.get(i), cellAfter(sections, i), robots))
         .filter(Objects::nonNull)
         .findFirst();
+  }
+
+  /** Where the robot is in a cell again, on section {@code i} or behind it. */
+  private static Vec2 cellAfter(List<Section> sections, int i) {
+    return sections.stream()
+        .skip(i)
+        .filter(section -> !section.endsHalfway())
+        .findFirst()
+        .orElseGet(sections::getLast)
+        .end()
+        .position();
   }
 
   private WaitReason reasonWithoutPath(TrafficRobot robot, Vec2 goal) {
@@ -59,15 +71,14 @@ final class WaitReasonFinder {
   }
 
   private @Nullable WaitReason blocking(
-      TrafficRobot robot, Section section, Collection<TrafficRobot> robots) {
-    SweptArea standing = robot.areaAt(robot.releasedEnd());
+      TrafficRobot robot, Section section, Vec2 where, Collection<TrafficRobot> robots) {
+    SweptArea standing = robot.areaAt(robot.committedEnd());
     for (TrafficRobot other : robots) {
       boolean isBlocking =
           other != robot
               && other.claimed().stream()
                   .anyMatch(area -> !Clearance.isKept(standing, section.area(), area));
       if (isBlocking) {
-        Vec2 where = section.end().position();
         if (!other.isMovable()) {
           return new WaitReason.RobotNotMovable(other.name, where);
         }

@@ -139,7 +139,7 @@ final class WaitState {
 
   /** Its path goes on otherwise: nothing is known of what may bar that. */
   void forgetPath() {
-    unblock();
+    blockedReason = null;
     lastSinglePlan = Instant.MIN;
   }
 

@@ -89,6 +89,11 @@ final class ActiveRobots {
     return snapshot.robots().get(robots[k]).isFixed();
   }
 
+  /** The steps until it is where its state says. */
+  int delay(int k) {
+    return snapshot.robots().get(robots[k]).delay();
+  }
+
   /** A vertex that it can reach, or {@code NONE}. */
   int goal(int k) {
     return goals[k];

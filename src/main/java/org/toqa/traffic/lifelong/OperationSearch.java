@@ -62,7 +62,7 @@ final class OperationSearch {
   private final int depth;
 
   private SearchTask task =
-      SearchTask.of(new int[0], new char[0][], new int[0], new BitSet(), new int[0]);
+      SearchTask.of(new int[0], new char[0][], new int[0], new BitSet(), new int[0], new int[0]);
 
   private int[] visits = new int[0];
   private int[] visitedIn = new int[0];
@@ -312,9 +312,12 @@ final class OperationSearch {
       return;
     }
     int vertex = graph.vertex(state);
+    boolean mayGo = t >= task.delays()[robot];
     for (int action = 0; action < graph.actionCount(); action++) {
       int next = graph.successor(state, action);
-      if (next == NONE || (t > 0 && graph.isRedundantPair(action(code, t - 1), action))) {
+      if (next == NONE
+          || (!mayGo && action != StateGraph.WAIT)
+          || (t > 0 && graph.isRedundantPair(action(code, t - 1), action))) {
         continue;
       }
       int there = graph.vertex(next);

@@ -299,6 +299,7 @@ public final class RollingHorizonPlanner implements LifelongPlanner {
         distances(present, context),
         present.stream().mapToInt(RobotProgress::target).toArray(),
         fixed,
+        IntStream.range(0, active.size()).map(active::delay).toArray(),
         present.stream().mapToInt(RobotProgress::weight).toArray());
   }
 

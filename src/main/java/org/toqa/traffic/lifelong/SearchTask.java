@@ -10,17 +10,25 @@ import java.util.BitSet;
  * @param distances costs to the goal by robot and state, as {@link Guidance} has them
  * @param goals vertices, or {@code NONE}
  * @param fixed the robots that keep the operation they have
+ * @param delays by robot: the steps in which it does not go yet
  * @param weights by robot: what a step of its counts for, where robots exchange
  */
 record SearchTask(
-    int[] order, int[] ranks, char[][] distances, int[] goals, BitSet fixed, int[] weights) {
+    int[] order,
+    int[] ranks,
+    char[][] distances,
+    int[] goals,
+    BitSet fixed,
+    int[] delays,
+    int[] weights) {
 
-  static SearchTask of(int[] order, char[][] distances, int[] goals, BitSet fixed, int[] weights) {
+  static SearchTask of(
+      int[] order, char[][] distances, int[] goals, BitSet fixed, int[] delays, int[] weights) {
     int[] ranks = new int[order.length];
     for (int k = 0; k < order.length; k++) {
       ranks[order[k]] = k;
     }
-    return new SearchTask(order, ranks, distances, goals, fixed, weights);
+    return new SearchTask(order, ranks, distances, goals, fixed, delays, weights);
   }
 
   int robots() {

@@ -35,19 +35,33 @@ class JointPlanTest {
             new Cell(2, 1),
             new Cell(1, 1),
             new Cell(0, 1));
-    assertEquals(List.of(5, 6), course.visitAtEnd());
+    assertEquals(List.of(4, 5, 5, 6), course.visitAtEnd());
+    assertEquals(List.of(true, false, true, false), halfway(course));
   }
 
   @Test
-  void aStraightIsCutInTheMiddleOfEachCell() {
+  void aStraightIsCutInTheMiddleOfEachCellAndBetweenThem() {
     ReservedPath course = course(new Cell(0, 1), new Cell(1, 1), new Cell(2, 1), new Cell(3, 1));
-    assertEquals(List.of(1, 2, 3), course.visitAtEnd());
+    assertEquals(List.of(0, 1, 1, 2, 2, 3), course.visitAtEnd());
+    assertEquals(List.of(true, false, true, false, true, false), halfway(course));
   }
 
   @Test
   void backTheWayItCameIsAVisitOfEachCellAgain() {
     ReservedPath course = course(new Cell(0, 1), new Cell(1, 1), new Cell(0, 1));
-    assertEquals(List.of(1, 1, 2), course.visitAtEnd());
+    assertEquals(List.of(0, 1, 1, 1, 2), course.visitAtEnd());
+  }
+
+  /** Nobody may stop before a curve and keep the way through its cell: another could come there. */
+  @Test
+  void aCurveIsDrivenWithThePassageBeforeIt() {
+    ReservedPath course = course(new Cell(0, 1), new Cell(1, 1), new Cell(2, 1), new Cell(2, 0));
+    assertEquals(List.of(0, 1, 2, 3), course.visitAtEnd());
+    assertEquals(List.of(true, false, true, false), halfway(course));
+  }
+
+  private static List<Boolean> halfway(ReservedPath course) {
+    return course.sections().stream().map(Section::endsHalfway).toList();
   }
 
   /** The course of one robot that has the floor for itself and faces east. */

@@ -92,6 +92,13 @@ class PlanAdopterTest {
         .adopt(new SectionFitter());
   }
 
+  /** Of a's path: to the border of each cell, and on to its middle. */
+  private void releaseCells(int cells) {
+    for (int i = 0; i < 2 * cells; i++) {
+      a.drive.releaseNext(NOW);
+    }
+  }
+
   private static ReservedPath path(TrafficRobot robot) {
     return Objects.requireNonNull(robot.drive.path());
   }
@@ -99,20 +106,20 @@ class PlanAdopterTest {
   @Test
   void whoHasNotGoneOnTakesItsPath() {
     assertTrue(adopter.adopt(plan, new BitSet()));
-    assertEquals(3, path(a).sectionCount());
-    assertEquals(3, path(b).sectionCount()); // a turn on the spot and two cells
+    assertEquals(2 * 3, path(a).sectionCount()); // to the border and on, three cells
+    assertEquals(1 + 2 * 2, path(b).sectionCount()); // a turn on the spot and two cells
     assertEquals("b", path(a).dependencies().get(2).getFirst().robot());
   }
 
   /** It is in the cell before the one where it meets b, and still waits for b there. */
   @Test
   void whoHasGoneOnAlongItsPathTakesTheRest() {
-    a.drive.releaseNext(NOW);
+    releaseCells(1);
     assertTrue(adopter.adopt(plan, new BitSet()));
-    assertEquals(1, a.drive.released());
-    assertEquals(3, path(a).sectionCount());
-    assertEquals(1, path(a).visitAfterSections(1));
-    assertEquals(2, path(a).visitAfterSections(2));
+    assertEquals(2, a.drive.released());
+    assertEquals(2 * 3, path(a).sectionCount());
+    assertEquals(1, path(a).visitAfterSections(2));
+    assertEquals(2, path(a).visitAfterSections(4));
     assertEquals(
         List.of(new ReservedPath.Dependency("b", b.drive.pathNumber(), 1)),
         path(a).dependencies().get(2));
@@ -121,11 +128,10 @@ class PlanAdopterTest {
   /** It is where b should have been before it: it stops there, and b does not wait for it. */
   @Test
   void whoHasGoneOnPastOneThatShouldGoFirstIsLeftOut() {
-    a.drive.releaseNext(NOW);
-    a.drive.releaseNext(NOW);
+    releaseCells(2);
     assertFalse(adopter.adopt(plan, new BitSet()));
     assertFalse(a.drive.hasUnreleased());
-    assertEquals(3, path(b).sectionCount()); // a turn on the spot and two cells
+    assertEquals(1 + 2 * 2, path(b).sectionCount()); // a turn on the spot and two cells
     assertTrue(path(b).dependencies().stream().allMatch(List::isEmpty));
   }
 
@@ -134,7 +140,7 @@ class PlanAdopterTest {
   void nobodyWaitsForWhomThePlanDoesNotFit() {
     b.setMovable(false);
     assertFalse(adopter.adopt(plan, new BitSet()));
-    assertEquals(3, path(a).sectionCount());
+    assertEquals(2 * 3, path(a).sectionCount());
     assertTrue(path(a).dependencies().stream().allMatch(List::isEmpty));
   }
 
@@ -143,6 +149,6 @@ class PlanAdopterTest {
     a.drive.releaseNext(NOW);
     a.continueOn(ReservedPath.independent(a.releasedEnd(), List.of()));
     assertFalse(adopter.adopt(plan, new BitSet()));
-    assertEquals(1, path(a).sectionCount());
+    assertEquals(2, path(a).sectionCount()); // to the border, and on to where it is bound to go
   }
 }

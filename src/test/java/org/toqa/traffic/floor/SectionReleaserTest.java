@@ -7,7 +7,11 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.time.Duration;
 import java.time.Instant;
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.toqa.geometry.Pose;
@@ -59,6 +63,26 @@ class SectionReleaserTest {
     }
     assertEquals(count(trajectory), released);
     assertTrue(ahead.getFirst() < count(trajectory), "all was released at once");
+  }
+
+  /** In large cells it comes up to their border, while the other is still in the next one. */
+  @Test
+  void whoFollowsSetsOutWithTheOneBeforeIt() {
+    OccupancyGrid grid = OccupancyGrid.parse(".".repeat(CELLS));
+    FloorTraffic traffic = new FloorTraffic(grid, new LacamJointPlanner(), Deadline::none);
+    for (int i = 0; i < 2; i++) {
+      String name = i == 0 ? "behind" : "before";
+      Vec2 at = grid.centre(new Cell(i, 0));
+      traffic.reportStanding(name, new Pose(at.x(), at.y(), 0), 0.255, Instant.EPOCH);
+      traffic.setMovable(name, true);
+      traffic.setGoal(name, grid.centre(new Cell(i + 20, 0)), Instant.EPOCH);
+    }
+    Map<String, DriveCommand> commands = new HashMap<>();
+    traffic.decide(Instant.EPOCH).forEach(command -> commands.put(command.robot(), command));
+    assertEquals(Set.of("before", "behind"), commands.keySet());
+    DriveCommand.Begin behind = assertInstanceOf(DriveCommand.Begin.class, commands.get("behind"));
+    // half of a cell of 1 m
+    assertEquals(0.5, behind.trajectory().poseAfter(behind.released()).x() - 0.5, 1e-6);
   }
 
   private static int count(Trajectory trajectory) {

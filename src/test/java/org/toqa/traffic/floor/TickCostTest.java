@@ -52,7 +52,7 @@ class TickCostTest {
       Segment cell = new Segment(0.25, 0, DrivenFloor.CELL / 0.25);
       SweptArea area = robot.sweptArea(pose, cell);
       pose = pose.advanced(cell.twist(), cell.t());
-      sections.add(robot.section(List.of(cell), pose, area));
+      sections.add(robot.section(List.of(cell), pose, area, false));
     }
     return sections;
   }
