@@ -41,7 +41,8 @@ final class RoomMaker {
       return;
     }
     Optional<List<Section>> out =
-        singleRobotPlanner.pathOutOf(other, Allocation.claimedByOthers(other, robots.values()), wanted);
+        singleRobotPlanner.pathOutOf(
+            other, Allocation.claimedByOthers(other, robots.values()), wanted);
     if (out.isPresent()) {
       other.freeUnreleased();
       other.continueOn(ReservedPath.independent(other.committedEnd(), out.get()));

@@ -62,8 +62,8 @@ import org.toqa.wording.Sentence;
  */
 class BusyFloorTest {
   /**
-   * A machine that is busy must not make a robot count as lost: with a plan that never ends it would
-   * get no other path.
+   * A machine that is busy must not make a robot count as lost: with a plan that never ends it
+   * would get no other path.
    */
   private static final double SPEED = 1;
 
