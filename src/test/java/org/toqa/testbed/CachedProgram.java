@@ -157,9 +157,9 @@ final class CachedProgram {
                 serverCommand("-XX:AOTCacheOutput=" + cache, unpacked),
                 Stream.of("org.toqa.app.Main"))
             .toList();
-    try (ToqaProcess server = startServer(folder, command, "--simulate", "1");
+    try (ToqaProcess server = startServer(folder, command);
         ApiClient api = logIn(server)) {
-      carryOnce(api);
+      carry(api, List.of(Map.entry("Store A", "Store B")));
       end(server);
     }
   }
@@ -187,18 +187,17 @@ final class CachedProgram {
         ApiClient api = logIn(running)) {
       int port = Integer.parseInt(daemon.awaitErr("listening on .* port (\\d+)").group(1));
       api.post("robots", Map.of("name", "first", "host", "127.0.0.1", "port", port, "maxLoad", 5));
-      carryOnce(api);
+      carry(api, List.of(Map.entry("Store A", "Store B"), Map.entry("Goods-in 1", "Mill")));
       end(daemon);
       end(running);
     }
   }
 
-  private static ToqaProcess startServer(Path folder, List<String> program, String... more)
-      throws IOException {
+  /** With a robot of its own. */
+  private static ToqaProcess startServer(Path folder, List<String> program) throws IOException {
     List<String> command = new ArrayList<>(program);
-    command.addAll(List.of("server", "--port", "0", "--speed", SPEED));
+    command.addAll(List.of("server", "--port", "0", "--simulate", "1", "--speed", SPEED));
     command.addAll(List.of("--data", folder.resolve("server").toString()));
-    command.addAll(List.of(more));
     String manager = USER + ":" + CheapPassword.hash(PASSWORD);
     return ToqaProcess.start(folder, folder, Map.of("TOQA_MANAGER", manager), command);
   }
@@ -208,20 +207,36 @@ final class CachedProgram {
     return new ApiClient(root, USER, PASSWORD);
   }
 
-  private static void carryOnce(ApiClient api) throws IOException, InterruptedException {
-    Map<String, Object> order =
-        Map.of(
-            "name",
-            "first",
-            "load",
-            1,
-            "start",
-            Map.of("station", "Store A"),
-            "goal",
-            Map.of("station", "Store B"));
-    long task = api.post("tasks", order).get("id").asLong();
-    while (!api.get("tasks/" + task).get("state").asString().equals("DONE")) {
+  /** As many robots as there are tasks carry one each. */
+  private static void carry(ApiClient api, List<Map.Entry<String, String>> ways)
+      throws IOException, InterruptedException {
+    await(api, "robots", "IDLE", ways.size());
+    for (Map.Entry<String, String> way : ways) {
+      Map<String, Object> order =
+          Map.of(
+              "name",
+              way.toString(),
+              "load",
+              1,
+              "start",
+              Map.of("station", way.getKey()),
+              "goal",
+              Map.of("station", way.getValue()));
+      api.post("tasks", order);
+    }
+    await(api, "tasks", "DONE", ways.size());
+  }
+
+  private static void await(ApiClient api, String list, String state, int count)
+      throws IOException, InterruptedException {
+    long found = 0;
+    while (found < count) {
       TimeUnit.MILLISECONDS.sleep(50);
+      found =
+          api.get(list)
+              .valueStream()
+              .filter(one -> one.get("state").asString().equals(state))
+              .count();
     }
   }
 
