@@ -73,8 +73,11 @@ final class AttackRun implements AutoCloseable {
     places.put("clerk", String.valueOf(server.userId(AttackedServer.CLERK)));
     places.put("floor", "lab");
     places.put("name", "Absent");
-    String robot = "{\"name\":\"Absent\",\"host\":\"127.0.0.1\",\"port\":9,\"maxLoad\":5}";
+    String robot = "{\"name\":\"Absent\",\"host\":\"127.0.0.1\",\"port\":9,\"maxLoad\":50}";
     assertEquals(201, manager.postJson("api/v1/robots", robot).statusCode());
+    String heavy = ORDER.replace("\"load\":2", "\"load\":20"); // for the one that is absent
+    HttpResponse<String> waiting = manager.postJson("api/v1/tasks", heavy);
+    places.put("waiting", JSON.readTree(waiting.body()).get("id").asString());
     String schedule = "{\"task\":" + ORDER + ",\"at\":\"2099-01-01T10:00:00Z\"}";
     assertEquals(201, manager.postJson("api/v1/schedules", schedule).statusCode());
   }

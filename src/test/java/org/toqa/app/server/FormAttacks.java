@@ -36,6 +36,8 @@ final class FormAttacks {
           "/first-start",
           "/tasks/{id}/answer",
           "/tasks/{id}/load-removed",
+          "/tasks/{id}/delete",
+          "/tasks/{id}/unfollow",
           "/fleet/resume",
           "/robots/{name}/clear",
           "/schedules/{id}/resume",
@@ -149,6 +151,9 @@ final class FormAttacks {
         && location(answer).matches(".*/tasks/\\d+")) {
       checkShownWhole(where, values, location(answer));
     }
+    if (answer.statusCode() == 303 && form.route().equals("/tasks/{id}/edit")) {
+      awaitShown(run.filled(form.page()), form.route(), values.getOrDefault("name", "").strip());
+    }
     if (form.route().equals("/fleet/pause")) {
       HttpResponse<String> resumed = submit(manager, find("map", "/fleet/resume", manager), values);
       check("/fleet/resume back " + attack, resumed);
@@ -210,6 +215,15 @@ final class FormAttacks {
         Markup.read(shown.body()).text().contains(values.getOrDefault("name", "").strip()),
         where + " is not shown as it was typed");
     run.tasks().cancel(Long.parseLong(task.replaceFirst(".*/", "")));
+  }
+
+  /** The page may be a moment behind, and who edits from an older one is told so. */
+  private void awaitShown(String page, String route, String name) throws InterruptedException {
+    long end = System.nanoTime() + TimeUnit.SECONDS.toNanos(20);
+    while (!name.equals(find(page, route, manager).fields().get("name"))) {
+      assertTrue(System.nanoTime() < end, page + " does not show " + name);
+      TimeUnit.MILLISECONDS.sleep(5);
+    }
   }
 
   /** All pages show what was typed as text. */

@@ -62,6 +62,29 @@ final class FormCases {
             and(ORDER, Map.of("when", "weekly", "weekday", "MONDAY", "time", "08:00")),
             refused("weekday", "time", "zone")),
         FormCase.of(
+            "tasks/{waiting}/edit",
+            "/tasks/{id}/edit",
+            and(ORDER, Map.of("load", "20", "length", "0.3", "width", "0.3", "deadline", DAY)),
+            and(
+                refused(
+                    "load",
+                    "floor",
+                    "startStation",
+                    "goalStation",
+                    "priority",
+                    "length",
+                    "width",
+                    "deadline",
+                    "zone"),
+                Map.of("name", NAME_OF_100, "version", CONFLICT))),
+        FormCase.of(
+            "tasks/{waiting}/edit",
+            "/tasks/{id}/edit",
+            and(
+                Map.of("name", "Box", "load", "20", "startStation", "", "goalStation", ""),
+                Map.of("startX", "1.95", "startY", "4.65", "goalX", "3.45", "goalY", "9.45")),
+            refused("startX", "startY", "goalX", "goalY")),
+        FormCase.of(
             "tasks/{held}",
             "/tasks/{id}/priority",
             Map.of("priority", "10"),
@@ -89,7 +112,7 @@ final class FormCases {
         FormCase.of(
             "robots/Absent",
             "/robots/{name}/change",
-            Map.of("host", "127.0.0.4", "maxLoad", "7"),
+            Map.of("host", "127.0.0.4", "maxLoad", "57"),
             and(refused("host", "port", "maxLoad", "parking"), Map.of("version", CONFLICT))),
         FormCase.of(
             "users",
@@ -166,7 +189,7 @@ final class FormCases {
                 "/tasks",
                 Map.of(),
                 and(
-                    refused("state", "from", "until", "sort"),
+                    refused("state", "from", "until", "sort", "followed"),
                     Map.of("robot", TAKEN, "text", TAKEN, "user", TAKEN)))
             .answeredWith(200),
         FormCase.of(

@@ -47,6 +47,8 @@ final class OrderCases {
             204),
         post("tasks", TASK, task(""), 201),
         post("tasks/preview", TASK, task(""), 200),
+        new OrderCase(
+            "PUT", "tasks/{waiting}", TASK.replace("\"load\":2", "\"load\":20"), task(""), 200),
         post("tasks/{held}/cancel", "{'load':null}", Map.of("/load", REFUSED), 200),
         post("tasks/{held}/answer", "{'answer':'wait'}", Map.of("/answer", REFUSED), 409),
         post(
@@ -72,7 +74,7 @@ final class OrderCases {
         new OrderCase(
             "PUT",
             "robots/{name}",
-            json("{'host':'127.0.0.2','port':9,'maxLoad':6,'parking':null}"),
+            json("{'host':'127.0.0.2','port':9,'maxLoad':56,'parking':null}"),
             Map.of("/host", REFUSED, "/parking", REFUSED),
             200),
         post(
