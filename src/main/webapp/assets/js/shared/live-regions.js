@@ -58,15 +58,16 @@ class LiveRegions {
     const ids = [...this.#outdated];
     this.#outdated.clear();
     try {
-      const answer = await fetch(location.href, {headers: {accept: 'text/html', 'x-toqa-background': 'yes'}});
-      const page = new DOMParser().parseFromString(await answer.text(), 'text/html');
-      for (const id of answer.ok ? ids : []) {
+      const page = await pageOfNow();
+      for (const id of page ? ids : []) {
         const fresh = page.getElementById(id);
         if (fresh) {
           showTimes(fresh);
           replace(document.getElementById(id), fresh);
         }
       }
+    } catch {
+      ids.forEach((id) => this.#outdated.add(id)); // the server is away for a moment
     } finally {
       setTimeout(() => {
         this.#isRefreshing = false;
@@ -74,6 +75,19 @@ class LiveRegions {
       }, REFRESH_INTERVAL);
     }
   }
+}
+
+/**
+ * This page as the server has it now; null where it is no more.
+ *
+ * @throws {Error} when the server does not answer or cannot now
+ */
+async function pageOfNow() {
+  const answer = await fetch(location.href, {headers: {accept: 'text/html', 'x-toqa-background': 'yes'}});
+  if (answer.status >= 500 || answer.status === 429) {
+    throw new Error(`The server answered ${answer.status}.`);
+  }
+  return answer.ok ? new DOMParser().parseFromString(await answer.text(), 'text/html') : null;
 }
 
 /** Replaces a region: what was open stays open, and the focus stays on what had it. */

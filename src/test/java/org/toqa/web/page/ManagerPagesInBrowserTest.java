@@ -10,6 +10,7 @@ import com.microsoft.playwright.Route;
 import com.microsoft.playwright.options.AriaRole;
 import java.util.List;
 import java.util.Map;
+import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.atomic.AtomicReference;
 import java.util.regex.Pattern;
 import org.jspecify.annotations.Nullable;
@@ -279,5 +280,36 @@ class ManagerPagesInBrowserTest extends PagesInBrowser {
 
     assertThat(page.locator("#service[data-anew] button.danger")).isVisible();
     assertThat(summary).isFocused();
+  }
+
+  @Test
+  void aPartThatTheServerCouldNotGiveIsAskedForAgain() {
+    Page page = loggedIn(WebTestServer.MANAGER, DESK, "tasks");
+    AtomicInteger asked = new AtomicInteger();
+    page.route(
+        server.root() + "robots/r1",
+        route -> {
+          if (!route.request().resourceType().equals("fetch")) {
+            route.resume();
+            return;
+          }
+          switch (asked.incrementAndGet()) {
+            case 1 ->
+                route.fulfill(
+                    new Route.FulfillOptions()
+                        .setStatus(503)
+                        .setContentType("text/html")
+                        .setBody("<style>body {color: black}</style><p>Not now"));
+            case 2 -> route.abort();
+            default -> {
+              String anew = route.fetch().text().replace("id=\"live\"", "id=\"live\" data-anew");
+              route.fulfill(new Route.FulfillOptions().setBody(anew).setContentType("text/html"));
+            }
+          }
+        });
+
+    page.navigate(server.root() + "robots/r1");
+
+    assertThat(page.locator("#live[data-anew]")).isVisible();
   }
 }
