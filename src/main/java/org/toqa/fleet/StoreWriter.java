@@ -94,17 +94,13 @@ public final class StoreWriter implements AutoCloseable {
   }
 
   /**
-   * A fault of this program in a change is one that comes again each time.
-   *
    * @throws StoreException it was not stored
    */
   private static void tryNow(Runnable change) {
     try {
       change.run();
-    } catch (StoreException e) {
-      throw e;
     } catch (RuntimeException e) {
-      throw new StoreException(StoreException.Kind.REFUSED, String.valueOf(e), e);
+      throw StoreException.of(e);
     }
   }
 

@@ -31,6 +31,13 @@ public final class StoreException extends RuntimeException {
     this.kind = kind;
   }
 
+  /** What a change failed by: a fault of this program in it is one that comes again each time. */
+  public static StoreException of(RuntimeException failure) {
+    return failure instanceof StoreException known
+        ? known
+        : new StoreException(Kind.REFUSED, String.valueOf(failure), failure);
+  }
+
   public Kind kind() {
     return kind;
   }

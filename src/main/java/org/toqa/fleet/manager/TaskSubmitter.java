@@ -8,6 +8,8 @@ import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.function.Consumer;
 import java.util.function.LongSupplier;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
 import org.toqa.fleet.FleetStore;
 import org.toqa.fleet.FleetStore.Submission;
 import org.toqa.fleet.StoreWriter;
@@ -24,6 +26,8 @@ import org.toqa.persistence.StoreException;
  * many callers wait hardly longer than one. Any thread may bring tasks.
  */
 final class TaskSubmitter {
+  private static final Logger log = LoggerFactory.getLogger(TaskSubmitter.class);
+
   /** Shorter than any caller waits for the answer. */
   private static final Duration LIMIT = Duration.ofSeconds(8);
 
@@ -93,53 +97,76 @@ final class TaskSubmitter {
       return;
     }
     waiting.add(added);
-    List<Entry> group = new ArrayList<>();
+    List<Entry> undecided = new ArrayList<>();
     writer.tryOnce(
-        () -> store(group), () -> {}, failure -> group.forEach(entry -> withdraw(entry, failure)));
+        () -> store(undecided),
+        () -> {},
+        failure -> undecided.forEach(entry -> withdraw(entry, failure)));
   }
 
   /**
-   * @param group gets those that go into one transaction; none where an earlier one took them all
+   * @param undecided gets those that go into one transaction, none where an earlier one took them
+   *     all; who was given an answer leaves it, also where this fails on another one after him
    */
-  private void store(List<Entry> group) {
-    waiting.drainTo(group, MOST_AT_ONCE);
-    List<Entry> late = group.stream().filter(entry -> !isInTime(entry)).toList();
-    late.forEach(entry -> refuse(entry, tooLate()));
-    group.removeAll(late);
-    if (group.isEmpty()) {
+  private void store(List<Entry> undecided) {
+    waiting.drainTo(undecided, MOST_AT_ONCE);
+    for (Entry entry : List.copyOf(undecided)) {
+      if (!isInTime(entry)) {
+        undecided.remove(entry);
+        refuse(entry, tooLate());
+      }
+    }
+    if (undecided.isEmpty()) {
       return;
     }
     try {
-      add(group);
+      add(List.copyOf(undecided), undecided);
     } catch (StoreException e) {
-      if (!e.isRefusal() || group.size() == 1) {
+      if (!e.isRefusal() || undecided.size() == 1) {
         throw e;
       }
-      group.forEach(this::storeAlone); // one of them refuses no other
+      List.copyOf(undecided).forEach(entry -> storeAlone(entry, undecided)); // one refuses no other
     }
   }
 
-  private void storeAlone(Entry entry) {
+  private void storeAlone(Entry entry, List<Entry> undecided) {
     try {
-      add(List.of(entry));
+      add(List.of(entry), undecided);
     } catch (StoreException e) {
+      undecided.remove(entry);
       withdraw(entry, e);
     }
   }
 
-  private void add(List<Entry> group) {
-    List<TransportTask> stored =
-        store.addTasks(group.stream().flatMap(entry -> entry.submissions().stream()).toList());
+  private void add(List<Entry> group, List<Entry> undecided) {
+    List<TransportTask> stored = addTasks(group);
     int told = 0;
     for (Entry entry : group) {
       int next = told + entry.submissions().size();
+      undecided.remove(entry);
       if (isInTime(entry)) {
         pending.end(entry.keys());
-        entry.onAccepted().accept(stored.subList(told, next));
+        tell(entry, stored.subList(told, next));
       } else {
         withdraw(entry, tooLate());
       }
       told = next;
+    }
+  }
+
+  private static void tell(Entry entry, List<TransportTask> stored) {
+    try {
+      entry.onAccepted().accept(stored);
+    } catch (RuntimeException e) {
+      log.error("Tasks {} are stored, but who asked for them failed on it.", entry.keys(), e);
+    }
+  }
+
+  private List<TransportTask> addTasks(List<Entry> group) {
+    try {
+      return store.addTasks(group.stream().flatMap(e -> e.submissions().stream()).toList());
+    } catch (RuntimeException e) {
+      throw StoreException.of(e);
     }
   }
 

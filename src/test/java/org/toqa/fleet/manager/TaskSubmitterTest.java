@@ -128,6 +128,61 @@ class TaskSubmitterTest {
     assertEquals(TASKS - 1, store.count());
   }
 
+  @Test
+  void whatWasAcceptedStaysWhenTheStoreFailsOnAnotherOneAfterIt() throws Exception {
+    TaskSubmitter intake =
+        new TaskSubmitter(
+            TamperedStore.of(
+                store,
+                (method, arguments, call) -> {
+                  if (!method.equals("addTasks")) {
+                    return call.go();
+                  }
+                  if (names(arguments).contains("faulty")) {
+                    throw new IllegalStateException("A fault of this program.");
+                  }
+                  return delayed(call, arguments);
+                }),
+            writer,
+            new PendingSubmissions(),
+            System::nanoTime);
+    take(intake, 0);
+    assertTrue(firstIsUnderWay.await(20, TimeUnit.SECONDS));
+    IntStream.range(1, TASKS - 1).forEach(i -> take(intake, i));
+    take(intake, "faulty");
+    othersHaveCome.countDown();
+    assertTrue(answered.await(20, TimeUnit.SECONDS));
+    writer.close(); // what was to be withdrawn, is
+
+    assertEquals(1, refusals.size());
+    assertEquals(TASKS - 1, accepted.size());
+    assertEquals(
+        accepted.stream().map(TransportTask::id).toList(),
+        store.openTasks().stream().map(t -> t.mission().id()).toList());
+  }
+
+  @Test
+  void whatWasAcceptedStaysWhenItsCallerFailsOnTheAnswer() throws Exception {
+    CountDownLatch refused = new CountDownLatch(1);
+    TaskSubmitter intake =
+        new TaskSubmitter(store, writer, new PendingSubmissions(), System::nanoTime);
+
+    intake.submit(
+        List.of(new Submission(task("told"), UUID.randomUUID())),
+        TaskSubmitter.deadline(System.nanoTime()),
+        tasks -> {
+          accepted.addAll(tasks);
+          throw new IllegalStateException("A fault of who asked.");
+        },
+        failure -> refused.countDown());
+    take(intake, "next");
+    writer.close();
+
+    assertEquals(1, refused.getCount());
+    assertEquals(2, accepted.size());
+    assertEquals(2, store.count());
+  }
+
   private void takeAll(TaskSubmitter intake) throws InterruptedException {
     take(intake, 0);
     assertTrue(firstIsUnderWay.await(20, TimeUnit.SECONDS));
@@ -159,6 +214,11 @@ class TaskSubmitterTest {
     firstIsUnderWay.countDown();
     assertTrue(othersHaveCome.await(20, TimeUnit.SECONDS));
     return call.go();
+  }
+
+  private static List<String> names(Object[] submissions) {
+    return ((List<?>) submissions[0])
+        .stream().map(submission -> ((Submission) submission).task().name()).toList();
   }
 
   private static List<String> names() {
