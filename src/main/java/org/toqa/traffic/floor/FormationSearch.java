@@ -37,8 +37,14 @@ final class FormationSearch {
   /** Radians that it turns in all. */
   private static final double SHARPEST_ENTRY = 0.75 * Math.PI;
 
+  /** Of its arcs, in smallest radii: the wider, the less the followers swing out. */
+  private static final int[] ENTRY_RADII = {1, 2, 4};
+
   /** So many curvatures to each side are tried to a goal that is near. */
   private static final int ARCS_TO_GOAL = 8;
+
+  /** Metres; the goal is met in a circle several times as wide. */
+  private static final double STEP_TO_GOAL = 0.02;
 
   private static final double ROUNDING = FormationLattice.ROUNDING;
   private static final double EIGHTH = FormationLattice.EIGHTH;
@@ -121,7 +127,7 @@ final class FormationSearch {
     for (int i = 0; i <= ARCS_TO_GOAL; i++) {
       for (int side = -1; side <= 1; side += 2) {
         double curvature = side * i / (ARCS_TO_GOAL * radius);
-        for (double length = spacing; length < LONGEST_ENTRY; length += spacing) {
+        for (double length = STEP_TO_GOAL; length < LONGEST_ENTRY; length += STEP_TO_GOAL) {
           double v = Math.min(speeds.forward(), speeds.arcRate() / Math.abs(curvature));
           Segment arc = new Segment(v, v * curvature, length / v);
           Trajectory trajectory = new Trajectory(start, List.of(arc));
@@ -252,14 +258,16 @@ final class FormationSearch {
     if (!isOpen(state)) {
       return;
     }
-    for (DubinsCurve curve : DubinsCurve.between(start, lattice.pose(state), radius)) {
-      double length = curve.length();
-      if (length < LONGEST_ENTRY
-          && curve.turning() < SHARPEST_ENTRY
-          && length < lengths[state]
-          && clearance.isKeptOnEntry(new Trajectory(start, curve.segments(speeds)))) {
-        reach(state, -1, length);
-        entries.put(state, curve);
+    for (int radii : ENTRY_RADII) {
+      for (DubinsCurve curve : DubinsCurve.between(start, lattice.pose(state), radii * radius)) {
+        double length = curve.length();
+        if (length < LONGEST_ENTRY
+            && curve.turning() < SHARPEST_ENTRY
+            && length < lengths[state]
+            && clearance.isKeptOnEntry(new Trajectory(start, curve.segments(speeds)))) {
+          reach(state, -1, length);
+          entries.put(state, curve);
+        }
       }
     }
   }
