@@ -4,6 +4,7 @@ import com.password4j.Argon2Function;
 import com.password4j.Password;
 import com.password4j.types.Argon2;
 import java.util.Optional;
+import java.util.UUID;
 import java.util.concurrent.Semaphore;
 import java.util.regex.Pattern;
 
@@ -29,9 +30,28 @@ public final class PasswordHasher {
           "\\$argon2id\\$v=19\\$m=\\d{2,7},t=\\d{1,2},p=\\d{1,2}"
               + "\\$[A-Za-z0-9+/]{11,}\\$[A-Za-z0-9+/]{22,}");
 
-  private final Argon2Function argon2 =
-      Argon2Function.getInstance(MEMORY_KIB, PASSES, LANES, HASH_BYTES, Argon2.ID);
+  private final Argon2Function argon2;
+  private final String nobodysHash;
   private final Semaphore permits = new Semaphore(Runtime.getRuntime().availableProcessors());
+
+  public PasswordHasher() {
+    argon2 = argon2(MEMORY_KIB, PASSES);
+    nobodysHash = NOBODYS_HASH;
+  }
+
+  /**
+   * Of another cost than the recommended one.
+   *
+   * @param memoryKib kibibytes, at least 8
+   */
+  public PasswordHasher(int memoryKib, int passes) {
+    argon2 = argon2(memoryKib, passes);
+    nobodysHash = hash(UUID.randomUUID().toString());
+  }
+
+  private static Argon2Function argon2(int memoryKib, int passes) {
+    return Argon2Function.getInstance(memoryKib, passes, LANES, HASH_BYTES, Argon2.ID);
+  }
 
   /** Whether the text is no password, but the hash of one, as {@link #hash} writes it. */
   public static boolean isHash(String text) {
@@ -49,7 +69,7 @@ public final class PasswordHasher {
 
   /** Takes as long for nobody as for somebody, so that names cannot be found out by the time. */
   public boolean isCorrect(String password, Optional<Account> account) {
-    String hash = account.map(Account::passwordHash).orElse(NOBODYS_HASH);
+    String hash = account.map(Account::passwordHash).orElse(nobodysHash);
     permits.acquireUninterruptibly();
     try {
       boolean same = Password.check(password, hash).with(Argon2Function.getInstanceFromHash(hash));

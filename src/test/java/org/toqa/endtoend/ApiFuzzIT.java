@@ -31,14 +31,14 @@ import tools.jackson.databind.JsonNode;
  * that is a fault, and none that the document does not have.
  *
  * <p>{@code -Dtoqa.schemathesis} is the program; {@code -Dtoqa.fuzz.examples=100} for more than the
- * usual 5 a route beside those that the document itself suggests, {@code -Dtoqa.seed=2} for other
+ * usual 3 a route beside those that the document itself suggests, {@code -Dtoqa.seed=2} for other
  * ones. Leaves out the live events, which do not end.
  */
 @Tag("full")
 @TestMethodOrder(OrderAnnotation.class)
 class ApiFuzzIT {
   private static final String PROGRAM = System.getProperty("toqa.schemathesis", "");
-  private static final int EXAMPLES = Integer.getInteger("toqa.fuzz.examples", 5);
+  private static final int EXAMPLES = Integer.getInteger("toqa.fuzz.examples", 3);
   private static final String CLERK = "clerk";
   private static final String CLERKS_PASSWORD = "clerk-of-robots";
   private static final Duration LIMIT = Duration.ofMinutes(30);

@@ -38,17 +38,17 @@ final class BackupScenario {
                 RunningServer.order("tour", "Mill", "Store A"),
                 "at",
                 "2098-07-01T15:00:00Z"));
-    long done = server.addTask("done", "Workbench 1", "Packing 1");
+    long done = server.addTask("done", "Packing 1", "Goods-out");
     server.awaitState(done, "DONE");
-    long carried = server.addTask("carried", "Packing 1", "Workbench 1");
-    long queued = server.addTask("queued", "Workbench 1", "Packing 1");
+    long carried = server.addTask("carried", "Goods-out", "Packing 1");
+    long queued = server.addTask("queued", "Packing 1", "Goods-out");
     server.awaitState(carried, "CARRYING");
     return new BackupScenario(server, done, carried, queued);
   }
 
   /** What the backup does not know. */
   void workAfterBackup() throws Exception {
-    long unknown = server.addTask("not in the backup", "Workbench 1", "Packing 1");
+    long unknown = server.addTask("not in the backup", "Packing 1", "Goods-out");
     assertTrue(unknown > queued);
     server.awaitState(carried, "DONE");
   }

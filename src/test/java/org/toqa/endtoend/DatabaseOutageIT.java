@@ -74,8 +74,8 @@ class DatabaseOutageIT {
     Files.writeString(config, "database:\n  url: \"%s\"\n".formatted(url));
     try (RunningServer server =
         new RunningServer(
-            folder, "--config", config.toString(), "--simulate", "3", "--speed", "10")) {
-      long task = server.addTask("crate", "Goods-in 1", "Store A");
+            folder, "--config", config.toString(), "--simulate", "1", "--speed", "10")) {
+      long task = server.addTask("crate", "Goods-in 1", "Packing 1");
       server.awaitState(task, "TO_OBJECT");
 
       away.happens();

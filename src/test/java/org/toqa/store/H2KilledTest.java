@@ -19,12 +19,12 @@ import org.toqa.fleet.RobotRecord;
  */
 @Tag("full")
 class H2KilledTest {
-  private static final int RUNS = 10;
+  private static final int RUNS = Math.min(5 * Integer.getInteger("toqa.tries", 1), 20);
 
   @TempDir private Path folder;
 
   @Test
-  @Timeout(300)
+  @Timeout(1200)
   void whatWasStoredIsThere() throws Exception {
     try (Database database = open()) {
       new JdbiFleetStore(database.jdbi())

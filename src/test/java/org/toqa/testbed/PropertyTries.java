@@ -9,7 +9,7 @@ import net.jqwik.api.lifecycle.PropertyLifecycleContext;
 
 /**
  * Counts what properties try; found by jqwik as a service. With {@code -Dtoqa.seed} all of them
- * begin from that seed; with {@code -Dtoqa.tries=10} they try ten times as much as they say.
+ * begin from that seed; with {@code -Dtoqa.tries=20} they try twenty times as much as they say.
  */
 public final class PropertyTries implements AroundPropertyHook {
   private static final String SEED = System.getProperty("toqa.seed", "");

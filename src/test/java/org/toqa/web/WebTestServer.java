@@ -53,7 +53,7 @@ public final class WebTestServer implements AutoCloseable {
   public static final String MANAGER = "Max";
   public static final String PASSWORD = "a long enough password";
 
-  private static final PasswordHasher PASSWORDS = new PasswordHasher();
+  private static final PasswordHasher PASSWORDS = CheapPassword.hasher();
 
   /** Tables of what a fleet has done. */
   private static final List<String> WORK =

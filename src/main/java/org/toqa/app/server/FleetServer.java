@@ -115,16 +115,22 @@ public final class FleetServer implements AutoCloseable {
    *     message says what to do
    */
   static FleetServer start(Configuration configuration) throws IOException {
+    return start(configuration, new PasswordHasher());
+  }
+
+  static FleetServer start(Configuration configuration, PasswordHasher passwords)
+      throws IOException {
     Deque<AutoCloseable> parts = new ArrayDeque<>();
     try {
-      return start(configuration, parts);
+      return start(configuration, passwords, parts);
     } catch (IOException | RuntimeException e) {
       close(parts);
       throw e;
     }
   }
 
-  private static FleetServer start(Configuration configuration, Deque<AutoCloseable> parts)
+  private static FleetServer start(
+      Configuration configuration, PasswordHasher passwords, Deque<AutoCloseable> parts)
       throws IOException {
     FloorMap floor = FloorReader.read(configuration.map());
     Files.createDirectories(configuration.data());
@@ -136,7 +142,6 @@ public final class FleetServer implements AutoCloseable {
     runs.begin(wallClock.instant());
     parts.push(() -> runs.end(wallClock.instant()));
     AccountStore accounts = new JdbiAccountStore(database.sessions(), wallClock);
-    PasswordHasher passwords = new PasswordHasher();
     addFirstManager(configuration, accounts, passwords);
 
     VirtualClock clock = new VirtualClock(wallClock.instant(), configuration.simulationSpeed());

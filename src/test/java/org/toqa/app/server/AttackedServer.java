@@ -26,6 +26,7 @@ import org.toqa.app.config.Configuration;
 import org.toqa.app.config.ConfigurationException;
 import org.toqa.app.config.Setting;
 import org.toqa.app.config.SettingSource;
+import org.toqa.testbed.CheapPassword;
 import org.toqa.web.TestClient;
 import org.toqa.web.WebTestServer;
 
@@ -100,7 +101,7 @@ final class AttackedServer implements AutoCloseable {
             WebappFolder.shippedMap(WEBAPP), List.of(SettingSource.fromCommandLine(settings)));
     log = LogRecording.start();
     web = WebServer.bind(WEBAPP, configuration);
-    toqa = FleetServer.start(configuration);
+    toqa = FleetServer.start(configuration, CheapPassword.hasher());
     site = web.open(toqa);
     database = DriverManager.getConnection(configuration.database().url());
     secrets.add(WebTestServer.PASSWORD);

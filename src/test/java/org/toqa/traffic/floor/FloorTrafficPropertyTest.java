@@ -28,7 +28,7 @@ class FloorTrafficPropertyTest {
    * Random floors with one-cell aisles, dead ends and crossings: every robot reaches three goals in
    * turn; {@link DrivenFloor} sees to it that none ever touch.
    */
-  @Property(tries = 100, seed = "20261121")
+  @Property(tries = 50, seed = "20261121")
   void onRandomFloorsEveryRobotArrives(@ForAll @LongRange(min = 0) long seed) {
     floors.count(driveToThreeGoals(seed));
   }
@@ -73,7 +73,7 @@ class FloorTrafficPropertyTest {
   }
 
   /** Robots that were stopped anywhere go on from there: off the middle, in any heading. */
-  @Property(tries = 60, seed = "20261121")
+  @Property(tries = 30, seed = "20261121")
   void fromWhereverItStandsARobotArrives(@ForAll @LongRange(min = 0) long seed) {
     floors.count(driveFromAnywhere(seed));
   }
@@ -135,7 +135,7 @@ class FloorTrafficPropertyTest {
   }
 
   /** Floors whose cells are far smaller than a robot, which may be anywhere, and of any size. */
-  @Property(tries = 10, seed = "20261121")
+  @Property(tries = 5, seed = "20261121")
   void onFineMapsEveryRobotArrives(@ForAll @LongRange(min = 0) long seed) {
     floors.count(driveOnAFineMap(seed));
   }
@@ -178,7 +178,7 @@ class FloorTrafficPropertyTest {
   }
 
   /** Goals change while all drive; robots stop for a while and go on, and some are lost. */
-  @Property(tries = 40, seed = "20261121")
+  @Property(tries = 20, seed = "20261121")
   void newGoalsStopsAndLossesDisturbNothing(@ForAll @LongRange(min = 0) long seed) {
     floors.count(driveThroughTroubles(seed));
   }

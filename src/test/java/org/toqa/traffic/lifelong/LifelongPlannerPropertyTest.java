@@ -57,7 +57,7 @@ class LifelongPlannerPropertyTest {
     return Arbitraries.longs().withoutEdgeCases().map(seed -> RandomFloors.roomy(new Random(seed)));
   }
 
-  @Property(tries = 150)
+  @Property(tries = 75)
   void plansHoldTogetherWhateverTheGoals(
       @ForAll("crowded") Floor floor,
       @ForAll Planner planner,
@@ -70,7 +70,7 @@ class LifelongPlannerPropertyTest {
     }
   }
 
-  @Property(tries = 150)
+  @Property(tries = 75)
   void plansHoldTogetherThoughRobotsAreLate(
       @ForAll("crowded") Floor floor,
       @ForAll Planner planner,
@@ -87,7 +87,7 @@ class LifelongPlannerPropertyTest {
     }
   }
 
-  @Property(tries = 30)
+  @Property(tries = 15)
   void plansHoldTogetherThoughTheTimeIsUp(
       @ForAll("crowded") Floor floor, @ForAll Planner planner, @ForAll MotionModel model) {
     Drive drive = drive(floor, planner, model);
@@ -98,7 +98,7 @@ class LifelongPlannerPropertyTest {
     }
   }
 
-  @Property(tries = 100)
+  @Property(tries = 50)
   void whereThereIsRoomEverybodyArrives(
       @ForAll("roomy") Floor floor, @ForAll MotionModel model, @ForAll boolean mayRotate) {
     new Drive(
@@ -110,13 +110,13 @@ class LifelongPlannerPropertyTest {
         .untilArrived(1000);
   }
 
-  @Property(tries = 50)
+  @Property(tries = 25)
   void theSameCallsGiveTheSamePlans(
       @ForAll("crowded") Floor floor, @ForAll Planner planner, @ForAll MotionModel model) {
     assertEquals(drivenPlaces(floor, planner, model), drivenPlaces(floor, planner, model));
   }
 
-  @Property(tries = 8)
+  @Property(tries = 4)
   void nobodyStarvesWhileOthersGetGoalAfterGoal(
       @ForAll("roomy") Floor floor, @ForAll MotionModel model, @ForAll Random random) {
     Drive drive =

@@ -30,7 +30,7 @@ class OneShotPlannerPropertyTest {
     return RandomFloors.strewn(8, 0.3, 12);
   }
 
-  @Property(tries = 500)
+  @Property(tries = 250)
   void plansExactlyWhatCanBePlanned(@ForAll("tiny") Floor floor) {
     MapfInstance instance =
         new MapfInstance(new RoadGraph(floor.grid()), floor.starts(), floor.goals());
@@ -50,7 +50,7 @@ class OneShotPlannerPropertyTest {
     }
   }
 
-  @Property(tries = 300)
+  @Property(tries = 150)
   void everyPlanIsSoundAndNeverWorseThanTheFirst(@ForAll("small") Floor floor) {
     MapfInstance instance =
         new MapfInstance(new RoadGraph(floor.grid()), floor.starts(), floor.goals());
@@ -65,7 +65,7 @@ class OneShotPlannerPropertyTest {
     }
   }
 
-  @Property(tries = 100)
+  @Property(tries = 50)
   void theSameSeedGivesTheSamePlan(@ForAll("small") Floor floor) {
     MapfInstance instance =
         new MapfInstance(new RoadGraph(floor.grid()), floor.starts(), floor.goals());
