@@ -45,7 +45,7 @@ import org.toqa.wording.Sentence;
  * cancel box                        also: cancel box here, cancel box back
  * answer box another robot
  * hold box                          also: hold a, hold all; resume ...
- * a breaks                          also: is mended, falls silent, speaks again, sticks, is let go
+ * a breaks                          also: is mended, falls silent, speaks again, sticks, is let go, misses the end
  * restart                           of the server
  * expect box CARRYING
  * expect box by a
@@ -205,6 +205,7 @@ final class FleetScenario {
       case "speaks again" -> robot.speakAgain();
       case "sticks" -> robot.setStuck(true);
       case "is let go" -> robot.setStuck(false);
+      case "misses the end" -> robot.missEnd();
       default -> throw new IllegalArgumentException("What is \"" + what + "\"?");
     }
   }

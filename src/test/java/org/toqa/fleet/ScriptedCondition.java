@@ -31,6 +31,10 @@ final class ScriptedCondition {
   boolean stuck;
   boolean endsBeforeNextChange;
   boolean refusesClear;
+
+  /** Whether it does not hear that the formation which it follows has ended. */
+  boolean missesEnd;
+
   int lostClears;
   @Nullable Fault fault;
 

@@ -143,6 +143,11 @@ public final class ScriptedRobot {
     condition.fault = new Fault(code, "It has stopped itself.", true);
   }
 
+  /** From now on it does not hear that a formation has ended. */
+  synchronized void missEnd() {
+    condition.missesEnd = true;
+  }
+
   /** As one does whose stops have just changed. */
   synchronized void refuseToClear() {
     condition.refusesClear = true;
@@ -254,7 +259,7 @@ public final class ScriptedRobot {
     }
     ScriptedRobot leader = formation.leader();
     pose = leader.pose().compose(new Pose(order.offset().x(), order.offset().y(), 0));
-    if (leader.hasEnded(order.task())) {
+    if (leader.hasEnded(order.task()) && !condition.missesEnd) {
       drive.end();
       formation.endFollowing();
     }

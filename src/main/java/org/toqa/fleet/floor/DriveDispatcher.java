@@ -26,6 +26,9 @@ final class DriveDispatcher {
   /** A robot that was put back onto its path has gone on by then. */
   private static final Duration OFF_PATH_PATIENCE = Duration.ofSeconds(1);
 
+  /** A follower whose leader has ended says by then that it has ended too. */
+  private static final Duration LEFT_BEHIND_PATIENCE = Duration.ofSeconds(2);
+
   /** The code by which a robot reports that it stands because it is too far beside its path. */
   private static final String OFF_WAY = "OFF_WAY";
 
@@ -182,7 +185,12 @@ final class DriveDispatcher {
             .storedMissionOf(robot.name())
             .filter(stored -> stored.id() == mission.id() && stored.state() == mission.state())
             .isPresent();
+    if (updateLeftBehind(robot, mission)) {
+      endWithoutLeader(robot, mission);
+      return;
+    }
     if (hasEndedPhase(robot.name(), mission)
+        || hasEndedPhase(Formations.leader(mission), mission)
         || isWaiting
         || robot.hold.isHeld()
         || !isPickUpStored) {
@@ -193,6 +201,28 @@ final class DriveDispatcher {
       robot.agent.tell(state.formations.followOrder(mission, robot));
     }
     setWaitReason(robot, null);
+  }
+
+  /**
+   * Whether its leader has brought the load to the goal and ended, and it did not hear that, as
+   * where the line between them was cut just then: it would wait for that leader for ever.
+   */
+  private boolean updateLeftBehind(FloorRobot robot, Mission mission) {
+    boolean isLeftBehind =
+        hasEndedPhase(Formations.leader(mission), mission)
+            && !hasEndedPhase(robot.name(), mission)
+            && !mission.isStopping()
+            && robot.isHeard()
+            && !robot.reported.isMoving();
+    return robot.leftBehind.update(isLeftBehind, LEFT_BEHIND_PATIENCE, state.now);
+  }
+
+  private void endWithoutLeader(FloorRobot robot, Mission mission) {
+    if (robot.isStanding()) {
+      missions.applyEvent(mission.id(), new MissionEvent.PhaseEnded(robot.name(), Phase.TO_GOAL));
+    } else if (robot.reported.drive() != 0) {
+      robot.cancelDrive();
+    }
   }
 
   private static boolean hasEndedPhase(String robot, Mission mission) {

@@ -50,6 +50,9 @@ final class FloorRobot {
   /** That it stands because it is too far beside its path. */
   final ConditionTimer offPath = new ConditionTimer();
 
+  /** That it follows, or would, though its leader has ended. */
+  final ConditionTimer leftBehind = new ConditionTimer();
+
   /** What a person cleared. */
   final ClearedStops cleared = new ClearedStops();
 
