@@ -37,7 +37,7 @@ public abstract class BrowserTest {
   private static final int PATIENCE_MS = 60_000;
 
   private static final List<String> NAMES =
-      List.of("chromium", "chromium-browser", "google-chrome");
+      List.of("chromium-headless-shell", "chromium", "chromium-browser", "google-chrome");
 
   private static @Nullable Browser browser;
 
