@@ -36,6 +36,7 @@ public abstract class BrowserTest {
   /** Ends a test that would wait for ever; no machine that works is so slow. */
   private static final int PATIENCE_MS = 60_000;
 
+  /** The first, of Debian, is Chromium without a desktop, which works less. */
   private static final List<String> NAMES =
       List.of("chromium-headless-shell", "chromium", "chromium-browser", "google-chrome");
 
