@@ -29,6 +29,9 @@ class FleetEditTest extends HallFleetTest {
 
     TaskView edited = accepted(stage.fleet.editTask(before.id(), BACK, before.task(), "Max"));
 
+    assertTrue(
+        task(stage.fleet.snapshots().latest(), before.id()).task().isOrderedAs(edited.task()),
+        "whoever looks after the answer sees it");
     assertEquals("crate", edited.task().name());
     assertEquals(2, edited.task().load());
     assertEquals("Clara", edited.task().user(), "whose it was");

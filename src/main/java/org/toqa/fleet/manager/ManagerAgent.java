@@ -140,6 +140,7 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
             validator,
             allocator,
             paths,
+            snapshotPublisher,
             pendingSubmissions,
             self);
     this.taskChanges =
@@ -282,8 +283,7 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
       case ManagerMessage.DeleteTask m -> taskChanges.delete(m);
       case ManagerMessage.TaskDeleted m -> taskChanges.deleted(m.request());
       case ManagerMessage.CommandTask m -> taskCommands.commandTask(m);
-      case ManagerMessage.TaskCommandStored m ->
-          taskCommands.taskCommandStored(m.mission(), m.at());
+      case ManagerMessage.TaskCommandStored m -> taskCommands.taskCommandStored(m);
       case ManagerMessage.SetPause m -> {
         holdCommands.setPause(m);
         fleet.changed = true;

@@ -185,8 +185,13 @@ public sealed interface ManagerMessage {
   /** The store has deleted it. */
   record TaskDeleted(DeleteTask request) implements ManagerMessage {}
 
-  /** What a queued task has become is safe. */
-  record TaskCommandStored(Mission mission, Instant at) implements ManagerMessage {}
+  /**
+   * What a queued task has become is safe.
+   *
+   * @param view what it was then
+   */
+  record TaskCommandStored(CommandTask request, Mission mission, Instant at, TaskView view)
+      implements ManagerMessage {}
 
   record HoldRobot(
       String robot, boolean hold, String user, ActorRef<StatusReply<Answer<RobotView>>> replyTo)

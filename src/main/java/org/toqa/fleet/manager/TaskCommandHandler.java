@@ -48,6 +48,7 @@ final class TaskCommandHandler {
   private final ActorRef<ManagerMessage> self;
   private final TaskSubmitter submitter;
   private final PathQuery paths;
+  private final SnapshotPublisher snapshots;
   private final PendingOrders pendingOrders = new PendingOrders();
 
   TaskCommandHandler(
@@ -58,6 +59,7 @@ final class TaskCommandHandler {
       OrderValidator validator,
       Allocator allocator,
       PathQuery paths,
+      SnapshotPublisher snapshots,
       PendingSubmissions pendingSubmissions,
       ActorRef<ManagerMessage> self) {
     this.fleet = fleet;
@@ -67,6 +69,7 @@ final class TaskCommandHandler {
     this.validator = validator;
     this.allocator = allocator;
     this.paths = paths;
+    this.snapshots = snapshots;
     this.self = self;
     this.submitter =
         new TaskSubmitter(fleet.store, fleet.writer, pendingSubmissions, fleet.runtime::nanoTime);
@@ -326,14 +329,22 @@ final class TaskCommandHandler {
         },
         () -> {
           if (step.hasChanges()) {
-            self.tell(new ManagerMessage.TaskCommandStored(mission, at));
+            self.tell(new ManagerMessage.TaskCommandStored(m, mission, at, next));
+          } else {
+            m.replyTo().tell(StatusReply.success(new Answer.Accepted<>(next)));
           }
-          m.replyTo().tell(StatusReply.success(new Answer.Accepted<>(next)));
         },
         refusal -> m.replyTo().tell(StatusReply.error(refusal)));
   }
 
-  void taskCommandStored(Mission mission, Instant at) {
+  /** Whoever looks after the answer finds what he commanded. */
+  void taskCommandStored(ManagerMessage.TaskCommandStored m) {
+    take(m.mission(), m.at());
+    snapshots.publish();
+    m.request().replyTo().tell(StatusReply.success(new Answer.Accepted<>(m.view())));
+  }
+
+  private void take(Mission mission, Instant at) {
     if (mission.leftLoad().isPresent()) {
       fleet
           .floorAgent(mission.task().floor())
