@@ -36,8 +36,13 @@ final class RunningServer implements AutoCloseable {
     command.addAll(List.of(arguments));
     this.arguments = command.toArray(String[]::new);
     process = launch();
-    root = URI.create(process.awaitErr("http://[^ ]*").group());
-    api = new ApiClient(root, MANAGER, PASSWORD);
+    try {
+      root = URI.create(process.awaitErr("http://[^ ]*").group());
+      api = new ApiClient(root, MANAGER, PASSWORD);
+    } catch (Exception | AssertionError e) { // nobody else has it, to end it
+      process.close();
+      throw e;
+    }
   }
 
   private ToqaProcess launch() throws Exception {
