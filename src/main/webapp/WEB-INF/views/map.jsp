@@ -10,6 +10,7 @@
 <fmt:message key="map.zoomIn" var="zoomIn"/>
 <fmt:message key="map.zoomOut" var="zoomOut"/>
 <fmt:message key="map.fit" var="fit"/>
+<fmt:message key="map.measure" var="measure"/>
 <fmt:message key="replay.label" var="replayLabel"/>
 <fmt:message key="replay.time" var="timeLabel"/>
 <fmt:message key="replay.back" var="back"/>
@@ -36,7 +37,9 @@
     <div class="canvas">
       <canvas id="map" tabindex="0" role="img" aria-label="${canvasLabel}"></canvas>
       <p id="following" class="following" role="status" hidden><fmt:message key="map.following"/>${" "}<a><bdi></bdi></a>${" "}<button type="button" id="stop-following"><fmt:message key="map.stopFollowing"/></button></p>
+      <p id="measuring" class="following" role="status" hidden><bdi></bdi>${" "}<button type="button"><fmt:message key="map.measure.close"/></button></p>
       <div class="zoom">
+        <button type="button" id="measure" aria-pressed="false" aria-label="${measure}" title="${measure}"><t:icon name="measure"/></button>
         <button type="button" id="zoom-in" aria-label="${zoomIn}" title="${zoomIn}">+</button>
         <button type="button" id="zoom-out" aria-label="${zoomOut}" title="${zoomOut}">−</button>
         <button type="button" id="zoom-fit" aria-label="${fit}" title="${fit}"><t:icon name="fit"/></button>
@@ -115,5 +118,5 @@
   </aside>
   <c:set var="stateKeys" value=""/>
   <c:forEach items="${robotStates}" var="state"><c:set var="stateKeys" value="${stateKeys} robot.state.${state} robot.letter.${state}"/></c:forEach>
-  <t:texts keys="map.live map.age replay.label replay.play replay.pause replay.driving replay.stopped replay.task replay.loading replay.none map.disconnected map.loggedOut map.loggedOut.link map.failed map.standstill map.charger map.chargers map.leftLoad map.tasks.more common.comma task.state.QUEUED task.state.ASSIGNED task.state.TO_OBJECT task.state.CARRYING task.state.RETURNING${stateKeys}"/>
+  <t:texts keys="map.live map.age map.measure.start map.measure.goal map.measure.asking map.measure.metres map.measure.cells map.measure.failed replay.label replay.play replay.pause replay.driving replay.stopped replay.task replay.loading replay.none map.disconnected map.loggedOut map.loggedOut.link map.failed map.standstill map.charger map.chargers map.leftLoad map.tasks.more common.comma task.state.QUEUED task.state.ASSIGNED task.state.TO_OBJECT task.state.CARRYING task.state.RETURNING${stateKeys}"/>
 </t:page>

@@ -57,6 +57,9 @@ public interface Fleet {
   /** What would become of this task; nothing is stored. */
   CompletionStage<Answer<TaskPreview>> preview(TaskOrder order, String user);
 
+  /** How a robot gets from here to there; nobody drives. */
+  CompletionStage<Answer<PathAnswer>> path(PathQuestion question, String user);
+
   CompletionStage<Answer<RobotView>> addRobot(RobotOrder order, String user);
 
   /**

@@ -22,10 +22,6 @@ public record TaskPreview(int robots, List<String> chosen, Sentence reason, List
 
   /** How far the load travels, metres; 0 where the path is not known. */
   public double metres() {
-    double metres = 0;
-    for (int i = 1; i < path.size(); i++) {
-      metres += path.get(i - 1).distanceTo(path.get(i));
-    }
-    return metres;
+    return Vec2.lengthOf(path);
   }
 }

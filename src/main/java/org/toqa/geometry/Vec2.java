@@ -1,5 +1,7 @@
 package org.toqa.geometry;
 
+import java.util.List;
+
 /**
  * A point or a displacement in the plane.
  *
@@ -40,6 +42,15 @@ public record Vec2(double x, double y) {
   /** Metres. */
   public double distanceTo(Vec2 other) {
     return Math.hypot(x - other.x, y - other.y);
+  }
+
+  /** Metres along the line through these points. */
+  public static double lengthOf(List<Vec2> line) {
+    double length = 0;
+    for (int i = 1; i < line.size(); i++) {
+      length += line.get(i - 1).distanceTo(line.get(i));
+    }
+    return length;
   }
 
   /** Metres from this point to the nearest one of the straight line between two others. */

@@ -10,6 +10,7 @@ import {FleetState} from './fleet-state.js';
 import {Following} from './following.js';
 import {drawBlockedCells, drawStandstills} from './hazards.js';
 import {updateLiveLists} from './live-lists.js';
+import {Measuring} from './measuring.js';
 import {PoseInterpolator} from './pose-interpolator.js';
 import {drawLeftLoads, drawRobots, drawTasks, replayedRobot} from './robots.js';
 import {StateFilter} from './state-filter.js';
@@ -27,8 +28,10 @@ class MapPage {
   #replay = new Replay(() => this.#state.time, () => this.#floor.name, () => this.#showMode());
   #status = new ConnectionStatus(() => this.#replay.isOpen);
   #filter = new StateFilter($('#counts'), () => this.#showLive());
-  #canvas = new FloorCanvas($('#map'), this.#draw.bind(this), this.#followAt.bind(this));
+  #canvas = new FloorCanvas($('#map'), this.#draw.bind(this), this.#tap.bind(this));
   #following = new Following($('#following'), this.#canvas, this.#state, (name) => this.#poseOf(name, performance.now()));
+
+  #measuring = new Measuring($('#measuring'), $('#measure'), this.#canvas);
 
   async start() {
     this.#listenForZoomButtons();
@@ -88,9 +91,11 @@ class MapPage {
     viewport.centreOnTarget();
     this.#following.showBar();
     this.#floor.draw(context, viewport, colours);
-    return this.#replay.isOpen
+    const goesOn = this.#replay.isOpen
       ? this.#drawReplay(context, viewport, colours, now)
       : this.#drawLive(context, viewport, colours, now);
+    this.#measuring.draw(context, viewport, colours);
+    return goesOn;
   }
 
   #drawLive(context, viewport, colours, now) {
@@ -132,7 +137,11 @@ class MapPage {
     return this.#replay.isOpen ? this.#replay.poseOf(name) : this.#interpolator.poseOf(name, now);
   }
 
-  #followAt(x, y, metresPerPixel) {
+  #tap(x, y, metresPerPixel) {
+    if (this.#measuring.isOpen && this.#floor) {
+      this.#measuring.pick(x, y, metresPerPixel, this.#floor);
+      return;
+    }
     this.#following.followAt(x, y, metresPerPixel, this.#floor?.name, !this.#replay.isOpen);
   }
 
@@ -159,6 +168,7 @@ class MapPage {
   async #showFloor(name) {
     try {
       this.#floor = await Floor.load(name);
+      this.#measuring.close();
       this.#canvas.viewport.setBounds(this.#floor.bounds);
       this.#canvas.requestFrame();
       this.#replay.changeFloor();

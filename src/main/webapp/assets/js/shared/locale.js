@@ -4,6 +4,13 @@ export const locale = `${document.documentElement.lang}-u-nu-latn`;
 const ARABIC_DIGITS = /[\u0660-\u0669\u06f0-\u06f9]/g;
 const MARKS_OF_DIRECTION = /[\u200e\u200f\u061c]/g;
 
+/** A distance for people: below 10 m with one digit after the point. */
+export function roundedMetres(metres) {
+  const digits = metres < 10 ? 1 : 0;
+  return new Intl.NumberFormat(
+    locale, {minimumFractionDigits: digits, maximumFractionDigits: digits}).format(metres);
+}
+
 /** The number in a form's field, typed as the server understands it; undefined if it is none. */
 export function numberIn({value}) {
   const latin = value

@@ -1,6 +1,7 @@
 import {FloorCanvas} from '../floor/floor-canvas.js';
 import {Floor} from '../floor/floor.js';
 import {drawLabel} from '../floor/labels.js';
+import {drawPoint} from '../floor/points.js';
 import {numberIn} from '../shared/locale.js';
 import {text} from '../shared/texts.js';
 import '../shared/time-zone.js';
@@ -177,19 +178,8 @@ function number(id) {
 }
 
 function drawPlace(context, viewport, colours, name, point) {
+  drawPoint(context, viewport, colours, name === 'start', point);
   const [x, y] = viewport.toScreen(point.x, point.y);
-  context.beginPath();
-  if (name === 'start') {
-    context.roundRect(x - 8, y - 8, 16, 16, 3);
-    context.fillStyle = colours['map-load'];
-    context.strokeStyle = colours['map-load-line'];
-    context.fill();
-  } else {
-    context.arc(x, y, 9, 0, 2 * Math.PI);
-    context.strokeStyle = colours['map-goal'];
-  }
-  context.lineWidth = 2.5;
-  context.stroke();
   drawLabel(context, colours, text(`newTask.${name}`), x, y - 12, 'bottom');
 }
 

@@ -1,4 +1,4 @@
-import {locale} from '../shared/locale.js';
+import {roundedMetres} from '../shared/locale.js';
 import {address} from '../shared/server.js';
 import {text} from '../shared/texts.js';
 
@@ -62,12 +62,6 @@ export class TaskPreview {
   }
 }
 
-function rounded(metres) {
-  const digits = metres < 10 ? 1 : 0;
-  return new Intl.NumberFormat(
-    locale, {minimumFractionDigits: digits, maximumFractionDigits: digits}).format(metres);
-}
-
 function sentence({robots, chosen, reason, metres}) {
   const sentences = [];
   if (robots > 1) {
@@ -78,7 +72,7 @@ function sentence({robots, chosen, reason, metres}) {
       ? text('newTask.preview.chosen', chosen.join(text('common.comma')), reason)
       : text('newTask.preview.waits', reason));
   if (metres > 0) {
-    sentences.push(text('newTask.preview.metres', rounded(metres)));
+    sentences.push(text('newTask.preview.metres', roundedMetres(metres)));
   }
   return sentences.join(' ');
 }

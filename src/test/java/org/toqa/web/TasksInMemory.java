@@ -14,6 +14,8 @@ import org.toqa.fleet.BatchAnswer;
 import org.toqa.fleet.CheckRefusedException;
 import org.toqa.fleet.EventRecord;
 import org.toqa.fleet.Fleet;
+import org.toqa.fleet.PathAnswer;
+import org.toqa.fleet.PathQuestion;
 import org.toqa.fleet.TaskOrder;
 import org.toqa.fleet.TaskOrder.Where;
 import org.toqa.fleet.TaskPreview;
@@ -265,6 +267,25 @@ public abstract class TasksInMemory extends ArchiveInMemory implements Fleet {
     } finally {
       lock.unlock();
     }
+  }
+
+  /** Straight. */
+  @Override
+  public CompletionStage<Answer<PathAnswer>> path(PathQuestion question, String user) {
+    TaskOrder order =
+        new TaskOrder(
+            "path", 1, question.start(), question.goal(), question.floor(), 0, null, null);
+    return preview(order, user)
+        .thenApply(
+            answer ->
+                answer instanceof Answer.Accepted<TaskPreview>(TaskPreview preview)
+                    ? new Answer.Accepted<>(
+                        new PathAnswer(
+                            floor.name(),
+                            place(question.start()).orElseThrow(),
+                            place(question.goal()).orElseThrow(),
+                            preview.path()))
+                    : answer.asRejection());
   }
 
   /** Tasks are the mission of one robot, r1. */

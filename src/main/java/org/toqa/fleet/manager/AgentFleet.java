@@ -29,6 +29,8 @@ import org.toqa.fleet.FleetSnapshot;
 import org.toqa.fleet.FleetStore;
 import org.toqa.fleet.Hold;
 import org.toqa.fleet.PairingOrder;
+import org.toqa.fleet.PathAnswer;
+import org.toqa.fleet.PathQuestion;
 import org.toqa.fleet.RobotChange;
 import org.toqa.fleet.RobotMessageKind;
 import org.toqa.fleet.RobotOrder;
@@ -224,6 +226,12 @@ public final class AgentFleet implements Fleet, AutoCloseable {
   public CompletionStage<Answer<TaskPreview>> preview(TaskOrder order, String user) {
     return manager.askChecked(
         user, (check, replyTo) -> new ManagerMessage.PreviewTask(order, user, check, replyTo));
+  }
+
+  @Override
+  public CompletionStage<Answer<PathAnswer>> path(PathQuestion question, String user) {
+    return manager.askChecked(
+        user, (check, replyTo) -> new ManagerMessage.FindPath(question, check, replyTo));
   }
 
   @Override

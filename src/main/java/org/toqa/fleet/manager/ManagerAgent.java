@@ -251,6 +251,7 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
       case ManagerMessage.OrdersChecked m -> taskCommands.ordersChecked(m);
       case ManagerMessage.ValidateOrders m -> taskCommands.validateOrders(m);
       case ManagerMessage.TasksStored m -> taskCommands.tasksStored(m);
+      case ManagerMessage.FindPath m -> taskCommands.findPath(m);
       case ManagerMessage.PreviewTask m -> taskCommands.previewTask(m);
       case ManagerMessage.PreviewOrderChecked m -> taskCommands.previewOrderChecked(m);
       case ManagerMessage.TaskStored m -> taskCommands.taskStored(m);

@@ -17,6 +17,8 @@ import org.toqa.fleet.Answer;
 import org.toqa.fleet.BatchAnswer;
 import org.toqa.fleet.Hold;
 import org.toqa.fleet.PairingOrder;
+import org.toqa.fleet.PathAnswer;
+import org.toqa.fleet.PathQuestion;
 import org.toqa.fleet.RobotChange;
 import org.toqa.fleet.RobotOrder;
 import org.toqa.fleet.RobotRecord;
@@ -92,6 +94,12 @@ public sealed interface ManagerMessage {
       String user,
       OrderChecks.Check check,
       ActorRef<StatusReply<Answer<TaskPreview>>> replyTo)
+      implements ManagerMessage {}
+
+  record FindPath(
+      PathQuestion question,
+      OrderChecks.Check check,
+      ActorRef<StatusReply<Answer<PathAnswer>>> replyTo)
       implements ManagerMessage {}
 
   record TaskStored(TransportTask task, ActorRef<StatusReply<Answer<TaskView>>> replyTo)

@@ -14,6 +14,8 @@ import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 import org.toqa.fleet.Answer;
+import org.toqa.fleet.PathAnswer;
+import org.toqa.fleet.PathQuestion;
 import org.toqa.fleet.RobotChange;
 import org.toqa.fleet.RobotOrder;
 import org.toqa.fleet.RobotRecord;
@@ -85,9 +87,7 @@ final class OrderValidator {
       TaskOrder order, String user, Instant now, double totalCapacity) {
     Optional<FloorMap> floor = floor(order.floor());
     if (floor.isEmpty()) {
-      return List.of(
-          new Answer.Rejected<>(
-              "floor", Phrase.NO_SUCH_FLOOR_BUT.with(String.valueOf(order.floor()), floorNames())));
+      return List.of(noSuchFloor(order.floor()));
     }
     List<Answer<TransportTask>> rejections = new ArrayList<>();
     if (order.load() > totalCapacity) {
@@ -113,6 +113,55 @@ final class OrderValidator {
     return rejections;
   }
 
+  /**
+   * The path between two places, as the smallest robot drives it on a floor where it is alone.
+   *
+   * @param check what it is asked for
+   * @return the path; or the sentence against it, with the question's field
+   */
+  CompletionStage<Answer<PathAnswer>> findPath(PathQuestion question, OrderChecks.Check check) {
+    Optional<FloorMap> found = floor(question.floor());
+    if (found.isEmpty()) {
+      return CompletableFuture.completedFuture(noSuchFloor(question.floor()));
+    }
+    FloorMap floor = found.get();
+    Answer<TaskPlace> start = resolvePlace(floor, Phrase.START, question.start());
+    Answer<TaskPlace> goal = resolvePlace(floor, Phrase.GOAL, question.goal());
+    if (!(start instanceof Answer.Accepted<TaskPlace>(TaskPlace from))) {
+      return CompletableFuture.completedFuture(start.asRejection());
+    }
+    if (!(goal instanceof Answer.Accepted<TaskPlace>(TaskPlace to))) {
+      return CompletableFuture.completedFuture(goal.asRejection());
+    }
+    OccupancyGrid grid = floor.grid();
+    if (grid.cellAt(from.position()).equals(grid.cellAt(to.position()))) {
+      List<Vec2> straight = List.of(from.position(), to.position());
+      return CompletableFuture.completedFuture(
+          new Answer.Accepted<>(new PathAnswer(floor.name(), from, to, straight)));
+    }
+    return paths
+        .findPath(grid, from.position(), to.position(), 2 * SMALLEST_RADIUS, check)
+        .thenApply(
+            path ->
+                switch (path) {
+                  case FloorPath.Found(List<Vec2> points) ->
+                      new Answer.Accepted<>(new PathAnswer(floor.name(), from, to, points));
+                  case FloorPath.FoundBetweenCells _ ->
+                      new Answer.Accepted<>(new PathAnswer(floor.name(), from, to, List.of()));
+                  case FloorPath.NotFound _ -> noPath(from, to);
+                });
+  }
+
+  private <T> Answer<T> noSuchFloor(@Nullable String name) {
+    return new Answer.Rejected<>(
+        "floor", Phrase.NO_SUCH_FLOOR_BUT.with(String.valueOf(name), floorNames()));
+  }
+
+  private static <T> Answer<T> noPath(TaskPlace from, TaskPlace to) {
+    return new Answer.Rejected<>(
+        "goal", Phrase.NO_WAY_BETWEEN.with(from.sentence(), to.sentence()));
+  }
+
   private CompletionStage<Answer<TransportTask>> checkPath(
       TransportTask task, OrderChecks.Check check) {
     OccupancyGrid grid = floor(task.floor()).orElseThrow().grid();
@@ -123,11 +172,7 @@ final class OrderValidator {
                 switch (path) {
                   case FloorPath.Found _, FloorPath.FoundBetweenCells _ ->
                       new Answer.Accepted<>(task);
-                  case FloorPath.NotFound _ ->
-                      new Answer.Rejected<>(
-                          "goal",
-                          Phrase.NO_WAY_BETWEEN.with(
-                              task.start().sentence(), task.goal().sentence()));
+                  case FloorPath.NotFound _ -> noPath(task.start(), task.goal());
                 });
   }
 

@@ -187,6 +187,19 @@ final class TaskCommandHandler {
         .toList();
   }
 
+  void findPath(ManagerMessage.FindPath m) {
+    var _ =
+        validator
+            .findPath(m.question(), m.check())
+            .whenComplete(
+                (answer, failure) ->
+                    m.replyTo()
+                        .tell(
+                            failure == null
+                                ? StatusReply.success(answer)
+                                : StatusReply.error(failure)));
+  }
+
   void previewTask(ManagerMessage.PreviewTask m) {
     var _ =
         checkOrder(m.order(), m.user(), m.check())

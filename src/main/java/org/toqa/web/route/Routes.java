@@ -28,6 +28,7 @@ import org.toqa.web.api.MapResource;
 import org.toqa.web.api.MetricsResource;
 import org.toqa.web.api.OpenApiResource;
 import org.toqa.web.api.PasswordResetResource;
+import org.toqa.web.api.PathResource;
 import org.toqa.web.api.ProblemHandler;
 import org.toqa.web.api.RobotResource;
 import org.toqa.web.api.RobotsResource;
@@ -148,6 +149,7 @@ public final class Routes {
           get("/api/v1/openapi.json", SIGNED_IN, OpenApiResource::get),
           get("/api/v1/metrics", CLERK, MetricsResource::get),
           get("/api/v1/map", CLERK, MapResource::get),
+          get("/api/v1/path", CLERK, PathResource::get),
           get("/api/v1/events", CLERK, EventsResource::stream),
           get("/api/v1/tasks", CLERK, TasksResource::list),
           post("/api/v1/tasks", CLERK, TasksResource::add),

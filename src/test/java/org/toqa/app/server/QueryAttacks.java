@@ -43,6 +43,8 @@ final class QueryAttacks {
       Map.of(
           "/api/v1/map",
           Map.of("floor", NOT_FOUND),
+          "/api/v1/path",
+          Map.of("floor", NOT_FOUND, "start", REFUSED, "goal", REFUSED),
           "/api/v1/events",
           Map.of("changes", UNREADABLE),
           "/api/v1/tasks",

@@ -14,6 +14,8 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.toqa.fleet.Answer;
 import org.toqa.fleet.FleetStage;
+import org.toqa.fleet.PathAnswer;
+import org.toqa.fleet.PathQuestion;
 import org.toqa.fleet.RobotState;
 import org.toqa.fleet.TaskOrder;
 import org.toqa.fleet.TaskOrder.Where;
@@ -80,6 +82,31 @@ class TaskPreviewTest {
       }
     }
     assertTrue(told.metres() > at("Mill").distanceTo(at("Goods-out")), told::toString);
+  }
+
+  @Test
+  void thePathBetweenTwoPlacesIsTheSameWithoutATask() throws Exception {
+    PathAnswer path = accepted(path("Mill", "Goods-out"));
+
+    assertEquals(preview(order(LIGHT)).path(), path.points());
+    assertEquals(
+        path.metres(), accepted(path("Goods-out", "Mill")).metres(), 0.05, "it is as far back");
+    assertEquals(0, accepted(path("Mill", "Mill")).metres());
+    assertInstanceOf(Answer.Rejected.class, path("Mill", "Nowhere"));
+    assertInstanceOf(Answer.Rejected.class, path("Nowhere", "Mill"));
+  }
+
+  private Answer<PathAnswer> path(String start, String goal) throws Exception {
+    return stage
+        .fleet
+        .path(new PathQuestion(null, new Where.Station(start), new Where.Station(goal)), "Clara")
+        .toCompletableFuture()
+        .get(10, TimeUnit.SECONDS);
+  }
+
+  private static PathAnswer accepted(Answer<PathAnswer> answer) {
+    assertInstanceOf(Answer.Accepted.class, answer, answer::toString);
+    return ((Answer.Accepted<PathAnswer>) answer).value();
   }
 
   @Test

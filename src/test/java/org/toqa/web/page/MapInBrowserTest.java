@@ -60,6 +60,35 @@ class MapInBrowserTest extends PagesInBrowser {
     assertThat(page.locator("h1")).hasText("Robot r5");
   }
 
+  @Test
+  void aPathIsMeasuredWithTwoClicks() {
+    Page page = loggedIn(1280, 900, ColorScheme.LIGHT);
+    assertThat(page.locator("#robots li")).hasCount(6);
+    Locator map = page.locator("#map");
+    Locator measuring = page.locator("#measuring");
+    assertThat(measuring).isHidden();
+
+    page.locator("#measure").click();
+    assertThat(measuring).containsText("Click where the path begins.");
+    clickMap(page, map, 4.2, 4.6); // robots are not followed meanwhile
+    assertThat(measuring).containsText("Click where it ends.");
+    assertThat(page.locator("#following")).isHidden();
+    Object before = pictureOf(page);
+    clickMap(page, map, 8.2, 2.2);
+    assertThat(measuring).containsText("4.7 m by the map.");
+    page.waitForCondition(() -> !pictureOf(page).equals(before));
+    picture(page, "map-measured");
+
+    clickMap(page, map, 4.2, 4.6);
+    assertThat(measuring).containsText("Click where it ends.");
+    clickMap(page, map, 0.05, 0.05);
+    assertThat(measuring).containsText("is not free");
+    page.keyboard().press("Escape");
+    assertThat(measuring).isHidden();
+    clickMap(page, map, 4.2, 4.6);
+    assertThat(page.locator("#following")).containsText("Following r1");
+  }
+
   private void move(String name, Pose pose) {
     server
         .fleet()

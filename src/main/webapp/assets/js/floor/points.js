@@ -1,0 +1,16 @@
+/** Draws where a way begins, a square, or ends, a circle. */
+export function drawPoint(context, viewport, colours, isStart, point) {
+  const [x, y] = viewport.toScreen(point.x, point.y);
+  context.beginPath();
+  if (isStart) {
+    context.roundRect(x - 8, y - 8, 16, 16, 3);
+    context.fillStyle = colours['map-load'];
+    context.strokeStyle = colours['map-load-line'];
+    context.fill();
+  } else {
+    context.arc(x, y, 9, 0, 2 * Math.PI);
+    context.strokeStyle = colours['map-goal'];
+  }
+  context.lineWidth = 2.5;
+  context.stroke();
+}
