@@ -82,7 +82,7 @@ class MapInBrowserTest extends PagesInBrowser {
     clickMap(page, map, 4.2, 4.6);
     assertThat(measuring).containsText("Click where it ends.");
     clickMap(page, map, 0.05, 0.05);
-    assertThat(measuring).containsText("is not free");
+    assertThat(measuring).containsText("is not a free place");
     page.keyboard().press("Escape");
     assertThat(measuring).isHidden();
     clickMap(page, map, 4.2, 4.6);
