@@ -21,6 +21,7 @@ import org.junit.jupiter.api.Timeout.ThreadMode;
 import org.junit.jupiter.api.io.TempDir;
 import org.toqa.geometry.Pose;
 import org.toqa.geometry.Vec2;
+import org.toqa.link.message.AgentMessage.Hello;
 import org.toqa.link.message.AgentMessage.Mode;
 import org.toqa.link.message.AgentMessage.State;
 import org.toqa.link.message.ServerMessage.Drive;
@@ -52,6 +53,9 @@ class LostNetworkIT {
 
   /** Where the robots are at first; y is 1. */
   private static final int[] X = {1, 3, 1};
+
+  /** Within which time it has come to the end of what is released, also on a busy machine. */
+  private static final int SURELY_THERE_SECONDS = 60;
 
   private static final long CONNECT_NANOS = 20_000_000_000L;
   private static final long BETWEEN_TRIES_NANOS = 250_000_000;
@@ -120,11 +124,14 @@ class LostNetworkIT {
     waitUntil(cut, seconds);
     network.mend(robot);
     FormationServer server = connect(robot);
-    assertEquals(TASK, server.awaitHello().task());
-
-    State held = server.awaitState(s -> s.mode() == Mode.HOLDING); // later on a busy machine
-    assertEquals(1, held.segment());
-    assertEquals(X[robot] + 2, held.pose().x(), 0.02); // the first segment
+    Hello hello = server.awaitHello();
+    assertEquals(TASK, hello.task());
+    if (seconds >= SURELY_THERE_SECONDS) {
+      assertEquals(Mode.HOLDING, hello.mode());
+    }
+    State there = server.awaitState(s -> s.pose().x() > X[robot] + 1.9 && s.twist().v() < 0.001);
+    assertEquals(1, there.segment());
+    assertEquals(X[robot] + 2, there.pose().x(), 0.02); // the first segment
     server.assertAccepted(new Release(2, 1, 2));
     server.awaitState(
         s -> s.mode() == Mode.DRIVING && s.pose().x() > X[robot] + 2.2); // nobody said resume
