@@ -16,7 +16,7 @@ import org.toqa.testbed.RealMySql;
  * their own. All of it can be killed, and each connection be cut.
  */
 final class CrashTestbed implements AutoCloseable {
-  private static final double SPEED = 40;
+  private static final double SPEED = 25;
 
   /** Low: each must charge after a task or two, for a minute. */
   private static final String BATTERY =
