@@ -196,7 +196,7 @@ mkdir -p target
 # A session of its own, so that all of it can be ended.
 # shellcheck disable=SC2086 # the size is words
 setsid ./mvnw -B -ntp verify -Pfull -Dtoqa.full=true -Dtoqa.seed="$seed" $size \
-  -Dtest.inOnePool=true -Dtest.packaged='%regex[.*(Test|IT)\.class]' -Dtest.forks=3 \
+  -Dtest.inOnePool=true -Dtest.packaged='%regex[.*(Test|IT)\.class]' \
   -Dtoqa.run=$$ -Dtest.folder="$folder" -Dtoqa.memory="$memory" \
   -Dtoqa.mysql.url="$database_url" -Dtoqa.schemathesis="$fuzzer" &
 maven=$!

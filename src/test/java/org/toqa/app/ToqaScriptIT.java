@@ -41,7 +41,7 @@ class ToqaScriptIT {
   }
 
   @ParameterizedTest
-  @ValueSource(strings = {"server", "agent", "test"})
+  @ValueSource(strings = {"demo", "server", "agent", "plan", "bench", "test"})
   void everyCommandExplainsItself(String command) throws Exception {
     try (ToqaProcess help = ToqaProcess.toqa(folder, command, "--help")) {
       assertEquals(0, help.exitCode(), () -> "it said " + said(help));
