@@ -2,7 +2,6 @@ package org.toqa.fleet;
 
 import java.util.List;
 import org.toqa.geometry.Vec2;
-import org.toqa.mission.TaskPlace;
 
 /**
  * How the smallest robot gets from here to there by the map alone; traffic may choose another way.
@@ -10,7 +9,7 @@ import org.toqa.mission.TaskPlace;
  * @param points start, bends and goal, metres, map frame; empty where it can only go from cell to
  *     cell, as in an aisle hardly wider than the robot
  */
-public record PathAnswer(String floor, TaskPlace start, TaskPlace goal, List<Vec2> points) {
+public record PathAnswer(String floor, List<Vec2> points) {
   public PathAnswer {
     points = List.copyOf(points);
   }

@@ -1,6 +1,8 @@
 import {Labels} from './labels.js';
 import {fetchJson} from '../shared/server.js';
 
+const SNAP = 14; // pixels around a station that select it
+
 /** A flash in a square from -1 to 1. */
 const BOLT = [[0.15, -0.75], [-0.5, 0.15], [-0.05, 0.15], [-0.15, 0.75], [0.5, -0.15], [0.05, -0.15]];
 
@@ -25,6 +27,11 @@ export class Floor {
 
   get stations() {
     return this.#map.stations;
+  }
+
+  /** The station that a click at a map point selects, if there is one. */
+  stationAt(x, y, metresPerPixel) {
+    return this.stations.find((station) => Math.hypot(station.x - x, station.y - y) <= SNAP * metresPerPixel);
   }
 
   /** Metres. */

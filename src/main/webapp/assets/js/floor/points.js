@@ -1,3 +1,15 @@
+/** Draws a path that nobody drives yet, dashed. */
+export function drawPath(context, viewport, colours, path) {
+  context.strokeStyle = colours['map-goal'];
+  context.lineWidth = 2.5;
+  context.lineJoin = 'round';
+  context.setLineDash([7, 5]);
+  context.beginPath();
+  path.forEach(({x, y}) => context.lineTo(...viewport.toScreen(x, y)));
+  context.stroke();
+  context.setLineDash([]);
+}
+
 /** Draws where a way begins, a square, or ends, a circle. */
 export function drawPoint(context, viewport, colours, isStart, point) {
   const [x, y] = viewport.toScreen(point.x, point.y);

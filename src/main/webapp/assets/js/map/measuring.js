@@ -1,10 +1,9 @@
-import {drawPoint} from '../floor/points.js';
+import {drawPath, drawPoint} from '../floor/points.js';
 import {setText} from '../shared/elements.js';
 import {roundedMetres} from '../shared/locale.js';
 import {address} from '../shared/server.js';
 import {text} from '../shared/texts.js';
 
-const SNAP = 14; // pixels around a station that select it
 const PROMPTS = ['map.measure.start', 'map.measure.goal', 'map.measure.asking']; // by the ends that there are
 
 /** Asks how far it is between two points of the map that are clicked, and shows the path. */
@@ -55,9 +54,7 @@ export class Measuring {
 
   /** Takes a clicked point, or the station that it is on; after a goal it is a new start. */
   async pick(x, y, metresPerPixel, floor) {
-    const station = floor.stations.find(
-      (one) => Math.hypot(one.x - x, one.y - y) <= SNAP * metresPerPixel);
-    const point = station ?? {x, y};
+    const point = floor.stationAt(x, y, metresPerPixel) ?? {x, y};
     if (this.#ends.length !== 1) {
       this.#restart([point]);
       return;
@@ -85,16 +82,7 @@ export class Measuring {
   }
 
   draw(context, viewport, colours) {
-    if (this.#path.length > 0) {
-      context.strokeStyle = colours['map-goal'];
-      context.lineWidth = 2.5;
-      context.lineJoin = 'round';
-      context.setLineDash([7, 5]);
-      context.beginPath();
-      this.#path.forEach(({x, y}) => context.lineTo(...viewport.toScreen(x, y)));
-      context.stroke();
-      context.setLineDash([]);
-    }
+    drawPath(context, viewport, colours, this.#path);
     this.#ends.forEach((end, i) => drawPoint(context, viewport, colours, i === 0, end));
   }
 }

@@ -1,7 +1,7 @@
 import {FloorCanvas} from '../floor/floor-canvas.js';
 import {Floor} from '../floor/floor.js';
 import {drawLabel} from '../floor/labels.js';
-import {drawPoint} from '../floor/points.js';
+import {drawPath, drawPoint} from '../floor/points.js';
 import {numberIn} from '../shared/locale.js';
 import {text} from '../shared/texts.js';
 import '../shared/time-zone.js';
@@ -14,7 +14,6 @@ if (filled?.value) {
   filled.value = new Date(moment - 60000 * moment.getTimezoneOffset()).toISOString().slice(0, 16);
 }
 
-const SNAP = 14; // pixels around a station that select it
 const $ = (selector) => document.querySelector(selector);
 
 /** The fields of a task's start or goal. */
@@ -102,14 +101,7 @@ class NewTaskPage {
       return false;
     }
     this.#floor.draw(context, viewport, colours);
-    context.strokeStyle = colours['map-goal'];
-    context.lineWidth = 2.5;
-    context.lineJoin = 'round';
-    context.setLineDash([7, 5]);
-    context.beginPath();
-    this.#path.forEach(({x, y}) => context.lineTo(...viewport.toScreen(x, y)));
-    context.stroke();
-    context.setLineDash([]);
+    drawPath(context, viewport, colours, this.#path);
     for (const place of this.#places) {
       const point = place.pointOn(this.#floor);
       if (point) {
@@ -121,8 +113,7 @@ class NewTaskPage {
 
   #pick(x, y, metresPerPixel) {
     const place = this.#places.find(({choice}) => choice.checked);
-    const near = this.#floor?.stations.find(
-      (station) => Math.hypot(station.x - x, station.y - y) <= SNAP * metresPerPixel);
+    const near = this.#floor?.stationAt(x, y, metresPerPixel);
     if (near) {
       place.setStation(near.name);
     } else {

@@ -279,12 +279,7 @@ public abstract class TasksInMemory extends ArchiveInMemory implements Fleet {
         .thenApply(
             answer ->
                 answer instanceof Answer.Accepted<TaskPreview>(TaskPreview preview)
-                    ? new Answer.Accepted<>(
-                        new PathAnswer(
-                            floor.name(),
-                            place(question.start()).orElseThrow(),
-                            place(question.goal()).orElseThrow(),
-                            preview.path()))
+                    ? new Answer.Accepted<>(new PathAnswer(floor.name(), preview.path()))
                     : answer.asRejection());
   }
 

@@ -137,7 +137,7 @@ final class OrderValidator {
     if (grid.cellAt(from.position()).equals(grid.cellAt(to.position()))) {
       List<Vec2> straight = List.of(from.position(), to.position());
       return CompletableFuture.completedFuture(
-          new Answer.Accepted<>(new PathAnswer(floor.name(), from, to, straight)));
+          new Answer.Accepted<>(new PathAnswer(floor.name(), straight)));
     }
     return paths
         .findPath(grid, from.position(), to.position(), 2 * SMALLEST_RADIUS, check)
@@ -145,9 +145,9 @@ final class OrderValidator {
             path ->
                 switch (path) {
                   case FloorPath.Found(List<Vec2> points) ->
-                      new Answer.Accepted<>(new PathAnswer(floor.name(), from, to, points));
+                      new Answer.Accepted<>(new PathAnswer(floor.name(), points));
                   case FloorPath.FoundBetweenCells _ ->
-                      new Answer.Accepted<>(new PathAnswer(floor.name(), from, to, List.of()));
+                      new Answer.Accepted<>(new PathAnswer(floor.name(), List.of()));
                   case FloorPath.NotFound _ -> noPath(from, to);
                 });
   }
