@@ -155,6 +155,17 @@ END
   return "$all"
 }
 
+cd "$root"
+folder=$(mktemp -d)
+memory=$(mktemp -d -p /dev/shm 2>/dev/null || mktemp -d)
+TMPDIR=$folder
+export TMPDIR
+mkdir -p target
+say "building, while what is missing is fetched"
+# A session of its own, so that all of it can be ended.
+setsid ./mvnw -q -B -ntp -Pfull test-compile >"$folder/build.log" 2>&1 &
+maven=$!
+
 command -v chromium-browser >/dev/null || command -v google-chrome >/dev/null ||
   require chromium chromium
 # Where it can be had, tests take the browser without a desktop: a quarter less work, same pages.
@@ -176,12 +187,7 @@ install_missing
 [ "$(id -u)" = 0 ] ||
   say "you are not root: the tests that pull network cables will fail (sudo -E ./toqa test)"
 
-cd "$root"
 say "the $tier, from seed $seed: ${size}"
-folder=$(mktemp -d)
-TMPDIR=$folder
-export TMPDIR
-memory=$(mktemp -d -p /dev/shm 2>/dev/null || mktemp -d)
 say "testing the firmware"
 make -s -C firmware test sim &
 firmware=$!
@@ -190,13 +196,17 @@ start_database
 [ "${brand:-}" != mysql ] || find_mysql_client
 wait "$firmware"
 firmware=
+wait "$maven" || {
+  cat "$folder/build.log" >&2
+  exit 1
+}
 
-mkdir -p target
 : >"$tally"
-# A session of its own, so that all of it can be ended.
+# Planners compute; all others wait in turn, and share a pool.
 # shellcheck disable=SC2086 # the size is words
 setsid ./mvnw -B -ntp verify -Pfull -Dtoqa.full=true -Dtoqa.seed="$seed" $size \
-  -Dtest.inOnePool=true -Dtest.packaged='%regex[.*(Test|IT)\.class]' \
+  -Dtest.unpackaged='%regex[org/toqa/(traffic|planning)/.*(Test|IT)\.class]' \
+  -Dtest.packaged='%regex[org/toqa/(?!traffic/|planning/).*(Test|IT)\.class]' \
   -Dtoqa.run=$$ -Dtest.folder="$folder" -Dtoqa.memory="$memory" \
   -Dtoqa.mysql.url="$database_url" -Dtoqa.schemathesis="$fuzzer" &
 maven=$!

@@ -24,7 +24,7 @@ import org.toqa.link.message.ServerMessage.Command;
 import org.toqa.link.trust.LinkSocket;
 
 /** A server's connection to one robot of a group whose world runs by itself. */
-final class FormationServer implements AutoCloseable {
+public final class FormationServer implements AutoCloseable {
 
   private static final long LIMIT_NANOS = 20_000_000_000L;
   private static final long PING_NANOS = 20_000_000;
@@ -45,13 +45,13 @@ final class FormationServer implements AutoCloseable {
     }
   }
 
-  FormationServer(LinkSocket socket) {
+  public FormationServer(LinkSocket socket) {
     this.socket = socket;
     Thread.ofVirtual().start(this::read);
     Thread.ofVirtual().start(this::ping);
   }
 
-  List<State> states() {
+  public List<State> states() {
     return received.stream().filter(State.class::isInstance).map(State.class::cast).toList();
   }
 
@@ -59,7 +59,7 @@ final class FormationServer implements AutoCloseable {
     return received.stream().filter(Done.class::isInstance).map(Done.class::cast).toList();
   }
 
-  void assertAccepted(Command command) {
+  public void assertAccepted(Command command) {
     AgentMessage answer =
         await(
             m ->
@@ -82,12 +82,12 @@ final class FormationServer implements AutoCloseable {
         .reason();
   }
 
-  Hello awaitHello() {
+  public Hello awaitHello() {
     return (Hello) await(Hello.class::isInstance, () -> {});
   }
 
   /** Waits for a state that was not heard before. */
-  State awaitState(Predicate<State> wanted) {
+  public State awaitState(Predicate<State> wanted) {
     int known = received.size();
     return (State)
         await(

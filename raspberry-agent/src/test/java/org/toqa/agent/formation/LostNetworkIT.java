@@ -1,4 +1,4 @@
-package org.toqa.agent;
+package org.toqa.agent.formation;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
@@ -19,6 +19,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.Timeout.ThreadMode;
 import org.junit.jupiter.api.io.TempDir;
+import org.toqa.agent.FormationServer;
 import org.toqa.geometry.Pose;
 import org.toqa.geometry.Vec2;
 import org.toqa.link.message.AgentMessage.Hello;
