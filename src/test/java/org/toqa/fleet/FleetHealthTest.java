@@ -51,7 +51,7 @@ class FleetHealthTest {
         }
 
         @Override
-        public PairingResult pair(String robot, String host, int port, PairingCode code) {
+        public PairingResult pair(RobotAddress robot, PairingCode code) {
           return new PairingResult.Unreachable(Sentence.verbatim("No robot is there."));
         }
       };

@@ -116,7 +116,7 @@ public final class FleetStage implements AutoCloseable {
           }
 
           @Override
-          public PairingResult pair(String robot, String host, int port, PairingCode code) {
+          public PairingResult pair(RobotAddress robot, PairingCode code) {
             Fingerprint shown = pairingFingerprint;
             return shown == null
                 ? new PairingResult.Unreachable(Sentence.verbatim("The robot does not answer."))

@@ -106,7 +106,7 @@ class RobotAgentTest {
       }
 
       @Override
-      public PairingResult pair(String name, String host, int port, PairingCode code) {
+      public PairingResult pair(RobotAddress robot, PairingCode code) {
         throw new UnsupportedOperationException();
       }
     };

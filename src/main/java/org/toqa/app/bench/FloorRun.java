@@ -235,7 +235,7 @@ final class FloorRun implements AutoCloseable {
     }
 
     @Override
-    public PairingResult pair(String robot, String host, int port, PairingCode code) {
+    public PairingResult pair(RobotAddress robot, PairingCode code) {
       return new PairingResult.Unreachable(Sentence.verbatim("It is simulated."));
     }
   }

@@ -249,8 +249,8 @@ class BusyFloorTest {
     }
 
     @Override
-    public PairingResult pair(String robot, String host, int port, PairingCode code) {
-      return links.pair(robot, host, port, code);
+    public PairingResult pair(RobotAddress robot, PairingCode code) {
+      return links.pair(robot, code);
     }
   }
 
