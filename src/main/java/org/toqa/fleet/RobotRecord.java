@@ -25,7 +25,7 @@ public record RobotRecord(
     @Nullable String gateway) {
 
   /** Of a robot that the server reaches itself. */
-  public RobotRecord(
+  public static RobotRecord direct(
       String name,
       String floor,
       String host,
@@ -34,7 +34,7 @@ public record RobotRecord(
       @Nullable String parking,
       boolean simulated,
       @Nullable Fingerprint fingerprint) {
-    this(name, floor, host, port, maxLoad, parking, simulated, fingerprint, null);
+    return new RobotRecord(name, floor, host, port, maxLoad, parking, simulated, fingerprint, null);
   }
 
   public RobotAddress address() {

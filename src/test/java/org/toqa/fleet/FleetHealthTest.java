@@ -84,7 +84,7 @@ class FleetHealthTest {
 
   @Test
   void itDoesNotStartWithARobotWhoseAgentFailedToStart() {
-    store.saveRobot(new RobotRecord("r1", "hall", "127.0.0.1", 1, 5, null, false, null));
+    store.saveRobot(RobotRecord.direct("r1", "hall", "127.0.0.1", 1, 5, null, false, null));
 
     IllegalStateException refusal =
         assertThrows(IllegalStateException.class, () -> open(store).close());

@@ -70,7 +70,7 @@ class GatewayFleetTest {
   @Test
   @Timeout(120)
   void aTaskIsDoneAlthoughTheLineIsCutInTheMiddle() throws Exception {
-    long task = live().submit(2, "Goods-in 1", "Packing 2");
+    long task = live().submit(2, "Goods-in 1", "Goods-in 2");
     FleetSnapshot driving =
         live()
             .await(

@@ -107,7 +107,7 @@ class BusyFloorTest {
     JdbiFleetStore store = new JdbiFleetStore(database.jdbi());
     for (String robot : List.of("r1", "r2", "r3")) {
       store.saveRobot(
-          new RobotRecord(robot, "aisle", "127.0.0.1", robots.port(robot), 5, null, true, null));
+          RobotRecord.direct(robot, "aisle", "127.0.0.1", robots.port(robot), 5, null, true, null));
     }
     SimulatedLinks links =
         new SimulatedLinks(
