@@ -94,6 +94,7 @@ remove_networks() {
   ip netns list 2>/dev/null | sed -n "s/^\(${mark}[rp][^ ]*\).*/\1/p" | while read -r space; do
     ip netns delete "$space" || true
   done
+  ip route delete unreachable "10.232.$(($$ % 10000 % 250)).0/24" 2>/dev/null || true
   ip -o link 2>/dev/null | sed -n "s/^[0-9]*: \(${mark}[cs][0-9]*\)[@:].*/\1/p" |
     while read -r link; do
       ip link delete "$link" 2>/dev/null || true

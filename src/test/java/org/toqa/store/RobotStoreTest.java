@@ -43,6 +43,11 @@ class RobotStoreTest extends FleetDatabaseTest {
     RobotRecord moved = RobotRecord.direct("r1", "lab", "127.0.0.1", 7300, 5, "P1", true, null);
     store.saveRobot(moved);
     assertEquals(List.of(moved, R2), store.robots());
+
+    RobotRecord behind = moved.withChange(new RobotChange("10.0.0.7", 7275, 5, "P1", "dock"));
+    assertTrue(store.updateRobot(moved, behind, List.of()));
+    assertEquals(List.of(behind, R2), store.robots());
+    assertFalse(store.updateRobot(moved, R1, List.of()), "it is reached by another gateway now");
   }
 
   @Test

@@ -45,6 +45,7 @@ public final class PrivateNetwork implements AutoCloseable {
     ip("-n %s route add default via %s1".formatted(PLANT, INSIDE));
     ip("address add %s/24 dev %s".formatted(server(), LINE));
     ip("link set %s up".formatted(LINE));
+    ip("route add unreachable %s0/24".formatted(INSIDE)); // wherever else it would go
     run(in(ROUTER, List.of("sh", "-c", "echo 1 > /proc/sys/net/ipv4/ip_forward")));
     run(
         in(
@@ -93,6 +94,7 @@ public final class PrivateNetwork implements AutoCloseable {
   @Override
   public void close() throws IOException {
     try (lock) {
+      ip("route delete unreachable %s0/24".formatted(INSIDE));
       ip("link delete " + LINE);
       ip("netns delete " + PLANT);
       ip("netns delete " + ROUTER);

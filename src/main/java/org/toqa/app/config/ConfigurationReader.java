@@ -135,15 +135,15 @@ record ConfigurationReader(List<SettingSource> layers) {
   }
 
   private @Nullable GatewaySettings gateways() throws ConfigurationException {
+    InetAddress address = address(Setting.GATEWAYS_ADDRESS);
+    int port = wholeNumber(Setting.GATEWAYS_PORT);
     String trusted = text(Setting.GATEWAYS_TRUSTED).strip();
     if (trusted.isEmpty()) {
       return null;
     }
-    return new GatewaySettings(
-        address(Setting.GATEWAYS_ADDRESS),
-        wholeNumber(Setting.GATEWAYS_PORT),
-        GatewaySettings.parseTrusted(trusted)
-            .orElseThrow(() -> outOfRange(Setting.GATEWAYS_TRUSTED)));
+    return GatewaySettings.parseTrusted(trusted)
+        .map(known -> new GatewaySettings(address, port, known))
+        .orElseThrow(() -> outOfRange(Setting.GATEWAYS_TRUSTED));
   }
 
   /** With those that {@link Setting#ADDRESS} and {@link Setting#SITE} name. */
