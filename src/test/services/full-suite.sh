@@ -28,7 +28,7 @@ Runs the full test suite, and says at its end how much it did of each kind.
   --seed N  begins from this seed: the same seed tries the same
 
 Nothing is left out: what this machine lacks is named, all at once. On Debian and Ubuntu it brings
-what it needs: Chromium, socat, iproute2, faketime and the compilers of the firmware (installed when
+what it needs: Chromium, socat, iproute2, nftables, faketime and the compilers of the firmware (installed when
 you are root), a private MySQL server with its client and the fuzzer Schemathesis (unpacked into
 ~/.cache/toqa, not installed). Network cables are pulled by root alone.
 TOQA_TEST_MYSQL_URL=jdbc:mysql://... uses a server of yours where it is only talked to; its user
@@ -94,6 +94,7 @@ remove_networks() {
   ip netns list 2>/dev/null | sed -n "s/^\(${mark}[rp][^ ]*\).*/\1/p" | while read -r space; do
     ip netns delete "$space" || true
   done
+  ip route delete unreachable "10.232.$(($$ % 10000 % 250)).0/24" 2>/dev/null || true
   ip -o link 2>/dev/null | sed -n "s/^[0-9]*: \(${mark}[cs][0-9]*\)[@:].*/\1/p" |
     while read -r link; do
       ip link delete "$link" 2>/dev/null || true
@@ -178,6 +179,7 @@ require_file /usr/include/simavr/sim_avr.h libsimavr-dev
 require cppcheck cppcheck
 require socat socat
 require ip iproute2
+require nft nftables
 require faketime faketime
 require setsid util-linux
 require systemd-analyze systemd

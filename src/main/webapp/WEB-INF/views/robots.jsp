@@ -43,6 +43,14 @@
         </tbody>
       </table>
     </c:if>
+    <c:if test="${not empty gateways}">
+      <h2><fmt:message key="robots.gateways"/></h2>
+      <ul>
+        <c:forEach items="${gateways}" var="gateway">
+          <li><bdi><c:out value="${gateway.name}"/></bdi>: <c:choose><c:when test="${gateway.isConnected}"><fmt:message key="robots.gateway.connected"><fmt:param value="${gateway.address}"/></fmt:message></c:when><c:otherwise><strong><fmt:message key="robots.gateway.notConnected"/></strong></c:otherwise></c:choose>${" "}<t:time at="${gateway.since}"/></li>
+        </c:forEach>
+      </ul>
+    </c:if>
   </div>
   <c:if test="${caller.isManager()}">
     <article class="card">
@@ -61,6 +69,7 @@
             <t:parking chosen="${param.parking}" none="robots.add.parking.any"/>
           </div>
         </div>
+        <t:gateway chosen="${param.gateway}"/>
         <t:field name="code" label="robots.add.code" hint="robots.add.code.hint" latin="true" optional="true"/>
         <button><fmt:message key="robots.add.submit"/></button>
       </form>

@@ -7,6 +7,7 @@ import java.util.TreeSet;
 import org.toqa.app.bench.BenchCommand;
 import org.toqa.app.config.ConfigurationException;
 import org.toqa.app.demo.DemoCommand;
+import org.toqa.app.gateway.GatewayCommand;
 import org.toqa.app.plan.PlanCommand;
 import org.toqa.app.server.ServerCommand;
 import org.toqa.yaml.Spelling;
@@ -24,7 +25,13 @@ import picocli.CommandLine.UnmatchedArgumentException;
 @Command(
     name = "toqa",
     description = "A fleet server for cooperating mobile robots.",
-    subcommands = {DemoCommand.class, ServerCommand.class, PlanCommand.class, BenchCommand.class})
+    subcommands = {
+      DemoCommand.class,
+      ServerCommand.class,
+      GatewayCommand.class,
+      PlanCommand.class,
+      BenchCommand.class
+    })
 public final class Main implements Runnable {
 
   @Option(

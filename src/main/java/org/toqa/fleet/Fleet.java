@@ -8,6 +8,7 @@ import java.util.concurrent.CompletionStage;
 import org.jspecify.annotations.Nullable;
 import org.toqa.geometry.Pose;
 import org.toqa.grid.FloorMap;
+import org.toqa.link.gateway.GatewayState;
 import org.toqa.mission.MissionEvent;
 import org.toqa.mission.TransportTask;
 import org.toqa.wording.Sentence;
@@ -59,6 +60,9 @@ public interface Fleet {
 
   /** How a robot gets from here to there; nobody drives. */
   CompletionStage<Answer<PathAnswer>> path(PathQuestion question, String user);
+
+  /** Through which robots can be reached, in the configuration's order. */
+  List<GatewayState> gateways();
 
   CompletionStage<Answer<RobotView>> addRobot(RobotOrder order, String user);
 

@@ -9,6 +9,7 @@ import org.toqa.link.trust.PairingCode;
  * @param maxLoad kilograms
  * @param parking a parking point's name; null: the first that no robot has
  * @param code that the robot shows; null: it is not paired
+ * @param gateway that reaches it; null: the server does
  */
 public record RobotOrder(
     String name,
@@ -16,4 +17,17 @@ public record RobotOrder(
     int port,
     double maxLoad,
     @Nullable String parking,
-    @Nullable PairingCode code) {}
+    @Nullable PairingCode code,
+    @Nullable String gateway) {
+
+  /** For a robot that the server reaches itself. */
+  public RobotOrder(
+      String name,
+      String host,
+      int port,
+      double maxLoad,
+      @Nullable String parking,
+      @Nullable PairingCode code) {
+    this(name, host, port, maxLoad, parking, code, null);
+  }
+}

@@ -11,6 +11,7 @@ import org.toqa.link.trust.Fingerprint;
  * @param parking a parking point's name; null: it stays where its last task ends
  * @param simulated whether its daemon runs in the server's process
  * @param fingerprint of its certificate, as pairing recorded it; null: it was never paired
+ * @param gateway the gateway that reaches it; null: the server does
  */
 public record RobotRecord(
     String name,
@@ -20,15 +21,30 @@ public record RobotRecord(
     double maxLoad,
     @Nullable String parking,
     boolean simulated,
-    @Nullable Fingerprint fingerprint) {
+    @Nullable Fingerprint fingerprint,
+    @Nullable String gateway) {
+
+  /** Of a robot that the server reaches itself. */
+  public static RobotRecord direct(
+      String name,
+      String floor,
+      String host,
+      int port,
+      double maxLoad,
+      @Nullable String parking,
+      boolean simulated,
+      @Nullable Fingerprint fingerprint) {
+    return new RobotRecord(name, floor, host, port, maxLoad, parking, simulated, fingerprint, null);
+  }
 
   public RobotAddress address() {
-    return new RobotAddress(name, host, port, fingerprint);
+    return new RobotAddress(name, host, port, fingerprint, gateway);
   }
 
   /** The same robot at another address. */
   public RobotRecord withAddress(String newHost, int newPort) {
-    return new RobotRecord(name, floor, newHost, newPort, maxLoad, parking, simulated, fingerprint);
+    return new RobotRecord(
+        name, floor, newHost, newPort, maxLoad, parking, simulated, fingerprint, gateway);
   }
 
   public RobotRecord withChange(RobotChange change) {
@@ -40,15 +56,16 @@ public record RobotRecord(
         change.maxLoad(),
         change.parking(),
         simulated,
-        fingerprint);
+        fingerprint,
+        change.gateway());
   }
 
   /** What a change can change of it, as it is. */
   public RobotChange toChange() {
-    return new RobotChange(host, port, maxLoad, parking);
+    return new RobotChange(host, port, maxLoad, parking, gateway);
   }
 
   public RobotRecord withFingerprint(Fingerprint paired) {
-    return new RobotRecord(name, floor, host, port, maxLoad, parking, simulated, paired);
+    return new RobotRecord(name, floor, host, port, maxLoad, parking, simulated, paired, gateway);
   }
 }

@@ -1,8 +1,6 @@
 package org.toqa.link;
 
 import java.io.IOException;
-import java.net.InetSocketAddress;
-import java.net.Socket;
 import java.time.Duration;
 import java.util.Objects;
 import org.toqa.link.message.DecodeResult.Decoded;
@@ -31,22 +29,21 @@ import org.toqa.wording.Sentence;
  *   <li>The server says {@code pair}, with the proof that it knows the code's secret.
  *   <li>The robot says {@code paired}, with a proof of the same.
  * </ol>
- *
- * @param hostAndPort host and port, for sentences
  */
-record PairingClient(LinkTls tls, String robot, String hostAndPort, PairingCode code) {
+record PairingClient(RobotConnector connector, RobotAddress address, PairingCode code) {
 
   /** For all of it: a little less than whoever asked waits for the answer. */
   private static final Duration LIMIT = Duration.ofSeconds(9);
 
-  PairingResult pair(String host, int port) {
+  PairingResult pair() {
     long end = System.nanoTime() + LIMIT.toNanos();
     try {
-      Socket socket =
-          RobotConnector.connectTcp(robot, hostAndPort, new InetSocketAddress(host, port));
+      LinkSocket carrier = connector.reach(address);
       try (LinkSocket link =
-              tls.connect(
-                  socket, LinkTls.PAIRING, (peer, _) -> code.isOf(peer), remainingTime(end));
+              connector
+                  .tls()
+                  .connect(
+                      carrier, LinkTls.PAIRING, (peer, _) -> code.isOf(peer), remainingTime(end));
           TimeLimit _ = link.startTimeLimit(remainingTime(end))) {
         return exchangeProofs(link);
       }
@@ -54,7 +51,7 @@ record PairingClient(LinkTls tls, String robot, String hostAndPort, PairingCode 
       return new PairingResult.Unreachable(e.sentence());
     } catch (HandshakeException e) {
       return e.reason() == Reason.UNTRUSTED_PEER
-          ? new PairingResult.Refused(Phrase.CODE_OF_ANOTHER.with(hostAndPort))
+          ? new PairingResult.Refused(Phrase.CODE_OF_ANOTHER.with(address.place()))
           : unreachable();
     } catch (IOException e) {
       return unreachable();
@@ -66,12 +63,13 @@ record PairingClient(LinkTls tls, String robot, String hostAndPort, PairingCode 
   }
 
   private PairingResult unreachable() {
-    return new PairingResult.Unreachable(Phrase.DOES_NOT_PAIR.with(hostAndPort, robot));
+    return new PairingResult.Unreachable(
+        Phrase.DOES_NOT_PAIR.with(address.place(), address.robot()));
   }
 
   private PairingResult exchangeProofs(LinkSocket link) throws IOException {
     Fingerprint peer = Objects.requireNonNull(link.peer());
-    Fingerprint own = tls.fingerprint();
+    Fingerprint own = connector.tls().fingerprint();
     link.out().write(LinkCodec.encode(new Pair(PairingProof.SERVER.of(code, peer, own))));
     LineReader.Line line = new LineReader(link.in()).readLine();
     if (line == null
@@ -79,11 +77,12 @@ record PairingClient(LinkTls tls, String robot, String hostAndPort, PairingCode 
       return unreachable();
     }
     return switch (answer) {
-      case Paired(String name, String _) when !name.equals(robot) ->
-          new PairingResult.Unreachable(Phrase.HAS_ANOTHER_NAME.with(hostAndPort, robot));
+      case Paired(String name, String _) when !name.equals(address.robot()) ->
+          new PairingResult.Unreachable(
+              Phrase.HAS_ANOTHER_NAME.with(address.place(), address.robot()));
       case Paired(String _, String proof) when PairingProof.ROBOT.isValid(proof, code, peer, own) ->
           new PairingResult.Paired(peer);
-      case Paired _ -> new PairingResult.Refused(Phrase.DOES_NOT_KNOW_CODE.with(hostAndPort));
+      case Paired _ -> new PairingResult.Refused(Phrase.DOES_NOT_KNOW_CODE.with(address.place()));
       case Unpaired(String reason) -> new PairingResult.Refused(Sentence.verbatim(reason));
       case Pair _ -> unreachable();
     };

@@ -10,10 +10,24 @@ import org.toqa.link.trust.Fingerprint;
  * @param port of TCP, 1 to 65535
  * @param fingerprint of the certificate that it must show; null: it was never paired, and the link
  *     is not encrypted
+ * @param gateway the name of the gateway that reaches it, in whose network {@code host} is; null:
+ *     the server does
  */
-public record RobotAddress(String robot, String host, int port, @Nullable Fingerprint fingerprint) {
+public record RobotAddress(
+    String robot,
+    String host,
+    int port,
+    @Nullable Fingerprint fingerprint,
+    @Nullable String gateway) {
 
-  String hostAndPort() {
-    return host + ":" + port;
+  /** Of a robot that the server reaches itself. */
+  public RobotAddress(String robot, String host, int port, @Nullable Fingerprint fingerprint) {
+    this(robot, host, port, fingerprint, null);
+  }
+
+  /** For sentences, with the gateway. */
+  String place() {
+    String hostAndPort = host + ":" + port;
+    return gateway == null ? hostAndPort : hostAndPort + " (" + gateway + ")";
   }
 }

@@ -76,7 +76,7 @@ final class RobotConnection implements AutoCloseable {
   private RobotConnection(RobotAddress address, LineChannel channel, double widestRobot) {
     this.address = address;
     this.robot = address.robot();
-    this.hostAndPort = address.hostAndPort();
+    this.hostAndPort = address.place();
     this.channel = channel;
     this.widestRobot = widestRobot;
   }

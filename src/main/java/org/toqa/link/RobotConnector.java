@@ -7,6 +7,8 @@ import java.net.Socket;
 import java.net.SocketTimeoutException;
 import java.net.UnknownHostException;
 import java.time.Duration;
+import org.toqa.link.gateway.GatewayException;
+import org.toqa.link.gateway.Gateways;
 import org.toqa.link.trust.Fingerprint;
 import org.toqa.link.trust.HandshakeException;
 import org.toqa.link.trust.HandshakeException.Reason;
@@ -21,13 +23,19 @@ final class RobotConnector {
   private static final Duration HANDSHAKE_LIMIT = Duration.ofSeconds(5);
 
   private final LinkTls tls;
+  private final Gateways gateways;
   private final boolean plainOffLoopback;
   private final double widestRobot;
 
-  RobotConnector(LinkTls tls, boolean plainOffLoopback, double widestRobot) {
+  RobotConnector(LinkTls tls, Gateways gateways, boolean plainOffLoopback, double widestRobot) {
     this.tls = tls;
+    this.gateways = gateways;
     this.plainOffLoopback = plainOffLoopback;
     this.widestRobot = widestRobot;
+  }
+
+  LinkTls tls() {
+    return tls;
   }
 
   /** Diameter that a robot has at most, metres. */
@@ -41,36 +49,72 @@ final class RobotConnector {
    * @param silence the longest wait for a byte
    */
   LinkSocket connect(RobotAddress to, Duration silence) throws LinkException {
-    Socket socket = openSocket(to);
+    checkEncryption(to);
+    LinkSocket carrier = reach(to);
     try {
-      socket.setSoTimeout((int) silence.toMillis());
+      carrier.setReadLimit(silence);
       Fingerprint pinned = to.fingerprint();
       return pinned == null
-          ? LinkSocket.plain(socket)
-          : tls.connect(socket, LinkTls.LINK, (peer, _) -> peer.equals(pinned), HANDSHAKE_LIMIT);
+          ? carrier
+          : tls.connect(carrier, LinkTls.LINK, (peer, _) -> peer.equals(pinned), HANDSHAKE_LIMIT);
     } catch (HandshakeException e) {
       throw trustFailure(to, e.reason(), e);
     } catch (IOException e) {
-      throw unreachable(to.robot(), to.hostAndPort(), e);
+      throw unreachable(to.robot(), to.place(), e);
     }
   }
 
-  private Socket openSocket(RobotAddress to) throws LinkException {
-    InetSocketAddress address = new InetSocketAddress(to.host(), to.port());
-    InetAddress ip = address.getAddress();
-    if (ip != null && !ip.isLoopbackAddress() && to.fingerprint() == null && !plainOffLoopback) {
-      throw LinkException.trustFailure(Phrase.NOT_PAIRED.with(to.robot(), to.hostAndPort()));
+  /** What lies behind a gateway is on another machine. */
+  private void checkEncryption(RobotAddress to) throws LinkException {
+    if (to.fingerprint() != null || plainOffLoopback) {
+      return;
     }
-    return connectTcp(to.robot(), to.hostAndPort(), address);
+    InetAddress ip =
+        to.gateway() == null ? new InetSocketAddress(to.host(), to.port()).getAddress() : null;
+    boolean isOnLoopback = ip != null && ip.isLoopbackAddress();
+    if (to.gateway() != null || (ip != null && !isOnLoopback)) {
+      throw LinkException.trustFailure(Phrase.NOT_PAIRED.with(to.robot(), to.place()));
+    }
   }
 
-  /** A TCP connection, and nothing said yet. */
-  static Socket connectTcp(String robot, String place, InetSocketAddress address)
+  /** A connection to whoever listens there, and nothing said yet. */
+  LinkSocket reach(RobotAddress to) throws LinkException {
+    String gateway = to.gateway();
+    return gateway == null
+        ? LinkSocket.plain(connectTcp(to.robot(), to.place(), to.host(), to.port()))
+        : reachThrough(gateway, to);
+  }
+
+  private LinkSocket reachThrough(String gateway, RobotAddress to) throws LinkException {
+    try {
+      return gateways.open(gateway, to.host(), to.port());
+    } catch (GatewayException e) {
+      String robot = to.robot();
+      throw switch (e.reason()) {
+        case UNKNOWN_GATEWAY ->
+            LinkException.trustFailure(Phrase.GATEWAY_NOT_KNOWN.with(robot, gateway));
+        case GATEWAY_NOT_CONNECTED ->
+            LinkException.trustFailure(Phrase.GATEWAY_NOT_CONNECTED.with(robot, gateway));
+        case NOT_ALLOWED ->
+            LinkException.trustFailure(
+                Phrase.GATEWAY_MAY_NOT_CONNECT.with(robot, gateway, to.host() + ":" + to.port()));
+        case TOO_MANY_LINKS ->
+            LinkException.trustFailure(Phrase.GATEWAY_IS_FULL.with(robot, gateway));
+        case HOST_NOT_KNOWN -> new LinkException(Phrase.HOST_NOT_KNOWN.with(robot, to.place()));
+        case DOES_NOT_ANSWER -> new LinkException(Phrase.DOES_NOT_ANSWER.with(robot, to.place()));
+        case CANNOT_BE_REACHED ->
+            new LinkException(
+                Phrase.CANNOT_BE_REACHED.with(robot, to.place(), String.valueOf(e.getMessage())));
+      };
+    }
+  }
+
+  private static Socket connectTcp(String robot, String place, String host, int port)
       throws LinkException {
     Socket socket = new Socket();
     try {
       socket.setTcpNoDelay(true);
-      socket.connect(address, (int) CONNECT_LIMIT.toMillis());
+      socket.connect(new InetSocketAddress(host, port), (int) CONNECT_LIMIT.toMillis());
       return socket;
     } catch (IOException e) {
       try {
@@ -91,15 +135,14 @@ final class RobotConnector {
     String robot = to.robot();
     return switch (reason) {
       case UNTRUSTED_PEER ->
-          LinkException.trustFailure(Phrase.HAS_ANOTHER_KEY.with(to.hostAndPort(), robot));
+          LinkException.trustFailure(Phrase.HAS_ANOTHER_KEY.with(to.place(), robot));
       case REJECTED_BY_PEER ->
           LinkException.trustFailure(Phrase.DOES_NOT_ACCEPT_SERVER.with(robot));
-      case NOT_TLS ->
-          LinkException.trustFailure(Phrase.DOES_NOT_ENCRYPT.with(to.hostAndPort(), robot));
+      case NOT_TLS -> LinkException.trustFailure(Phrase.DOES_NOT_ENCRYPT.with(to.place(), robot));
       case FAILED ->
           LinkException.trustFailure(Phrase.NO_TLS.with(robot, String.valueOf(e.getMessage())));
       case CUT_OFF -> new LinkException("The connection to %s was cut off.".formatted(robot));
-      case TIMED_OUT -> new LinkException(Phrase.DOES_NOT_ANSWER.with(robot, to.hostAndPort()));
+      case TIMED_OUT -> new LinkException(Phrase.DOES_NOT_ANSWER.with(robot, to.place()));
     };
   }
 

@@ -1,5 +1,7 @@
 package org.toqa.link;
 
+import java.util.List;
+import org.toqa.link.gateway.GatewayState;
 import org.toqa.link.trust.PairingCode;
 
 /** Opens links to robots. */
@@ -11,9 +13,14 @@ public interface RobotLinkFactory {
    * Shows a robot that this server knows the code that it shows, so that each records the other's
    * certificate. Waits, for some seconds at most.
    *
-   * @param robot the name that it must say
-   * @param port of TCP, 1 to 65535
+   * @param robot where it is, and the name that it must say; it is not known yet what it is known
+   *     by
    * @return a refusal, with its reason, wherever it does not come about
    */
-  PairingResult pair(String robot, String host, int port, PairingCode code);
+  PairingResult pair(RobotAddress robot, PairingCode code);
+
+  /** The gateways that links can go through. */
+  default List<GatewayState> gateways() {
+    return List.of();
+  }
 }

@@ -1,6 +1,7 @@
 package org.toqa.link;
 
 import org.jspecify.annotations.Nullable;
+import org.toqa.link.channel.Backoff;
 import org.toqa.link.message.ServerMessage;
 import org.toqa.wording.Phrase;
 import org.toqa.wording.Sentence;

@@ -28,7 +28,7 @@ final class RobotTable {
   static List<StoredRobot> storedRobots(Handle h) {
     return h.createQuery(
             """
-            select name, floor, host, port, max_load, parking, simulated, fingerprint,
+            select name, floor, host, port, max_load, parking, simulated, fingerprint, gateway,
               out_of_service, held, worked_s, charger, charger_since,
               p.x, p.y, p.theta, p.diameter,
               case when p.robot_id is null or d.seq > p.drive then d.way end as since_driven
@@ -44,11 +44,12 @@ final class RobotTable {
   static int save(Handle h, RobotRecord robot) {
     return h.createUpdate(
             """
-            insert into robots (name, floor, host, port, max_load, parking, simulated, fingerprint, availability, phase, last_seq)
-            values (:name, :floor, :host, :port, :maxLoad, :parking, :simulated, :fingerprint, 1, 0, 0)
+            insert into robots (name, floor, host, port, max_load, parking, simulated, fingerprint, gateway,
+              availability, phase, last_seq)
+            values (:name, :floor, :host, :port, :maxLoad, :parking, :simulated, :fingerprint, :gateway, 1, 0, 0)
             on duplicate key update floor = values(floor), host = values(host), port = values(port),
               max_load = values(max_load), parking = values(parking), simulated = values(simulated),
-              fingerprint = values(fingerprint),
+              fingerprint = values(fingerprint), gateway = values(gateway),
               out_of_service = case when removed then false else out_of_service end,
               removed = false
             """)
@@ -60,18 +61,21 @@ final class RobotTable {
   static boolean update(Handle h, RobotRecord before, RobotRecord after) {
     String parking = before.parking();
     Fingerprint fingerprint = before.fingerprint();
+    String gateway = before.gateway();
     return h.createUpdate(
                 """
                 update robots set host = :host, port = :port, max_load = :maxLoad, parking = :parking,
-                  fingerprint = :fingerprint
+                  fingerprint = :fingerprint, gateway = :gateway
                 where name = :name and not removed and host = :before.host and port = :before.port
                   and max_load = :before.maxLoad and coalesce(parking, '') = :beforeParking
                   and coalesce(fingerprint, '') = :beforeFingerprint
+                  and coalesce(gateway, '') = :beforeGateway
                 """)
             .bindMethods(after)
             .bindMethods("before", before)
             .bind("beforeParking", parking == null ? "" : parking)
             .bind("beforeFingerprint", fingerprint == null ? "" : fingerprint.hex())
+            .bind("beforeGateway", gateway == null ? "" : gateway)
             .execute()
         == 1;
   }

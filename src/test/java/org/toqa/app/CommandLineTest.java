@@ -28,6 +28,8 @@ class CommandLineTest {
         Arguments.of(List.of("demo", "--bodies", "no/such/folder"), "that can be written"),
         Arguments.of(List.of("plan", "--map", "nowhere.yaml"), "--from"),
         Arguments.of(List.of("plan", "--bogus"), "\"--bogus\" is not known"),
+        Arguments.of(List.of("gateway"), "--config"),
+        Arguments.of(List.of("gateway", "--config", "nowhere.yaml"), "there is no such file"),
         Arguments.of(List.of("bench", "swim"), "\"swim\" is not known"),
         Arguments.of(
             List.of("bench", "fleet", "--robots", "1"), "--robots 1: it must be from 2 to 500"));

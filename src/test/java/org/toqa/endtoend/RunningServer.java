@@ -9,6 +9,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Predicate;
+import java.util.regex.Matcher;
 import org.toqa.testbed.ApiClient;
 import org.toqa.testbed.ApiClient.Reply;
 import org.toqa.testbed.CheapPassword;
@@ -56,6 +57,11 @@ final class RunningServer implements AutoCloseable {
 
   URI root() {
     return root;
+  }
+
+  /** The first line of its log that the pattern is found in. */
+  Matcher awaitErr(String pattern) throws InterruptedException {
+    return process.awaitErr(pattern);
   }
 
   /** As {@code kill -9} does it, and then as a user starts it again. */

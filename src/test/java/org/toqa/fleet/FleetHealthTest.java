@@ -51,7 +51,7 @@ class FleetHealthTest {
         }
 
         @Override
-        public PairingResult pair(String robot, String host, int port, PairingCode code) {
+        public PairingResult pair(RobotAddress robot, PairingCode code) {
           return new PairingResult.Unreachable(Sentence.verbatim("No robot is there."));
         }
       };
@@ -84,7 +84,7 @@ class FleetHealthTest {
 
   @Test
   void itDoesNotStartWithARobotWhoseAgentFailedToStart() {
-    store.saveRobot(new RobotRecord("r1", "hall", "127.0.0.1", 1, 5, null, false, null));
+    store.saveRobot(RobotRecord.direct("r1", "hall", "127.0.0.1", 1, 5, null, false, null));
 
     IllegalStateException refusal =
         assertThrows(IllegalStateException.class, () -> open(store).close());

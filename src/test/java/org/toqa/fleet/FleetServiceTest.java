@@ -10,6 +10,7 @@ import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.Test;
 import org.toqa.geometry.Vec2;
 import org.toqa.mission.TaskState;
+import org.toqa.wording.Phrase;
 
 /** Robots that are taken out of service and put back, changed and removed. */
 class FleetServiceTest extends HallFleetTest {
@@ -96,6 +97,11 @@ class FleetServiceTest extends HallFleetTest {
     assertInstanceOf(
         Answer.Rejected.class,
         answer(stage.fleet.changeRobot("r2", new RobotChange("127.0.0.1", 1, 9, "P9"), "Max")));
+    assertEquals(
+        new Answer.Rejected<>("gateway", Phrase.NO_SUCH_GATEWAY.with("dock")),
+        answer(
+            stage.fleet.changeRobot(
+                "r2", new RobotChange("127.0.0.1", 1, 9, null, "dock"), "Max")));
 
     RobotView changed =
         accepted(stage.fleet.changeRobot("r2", new RobotChange("127.0.0.1", 2, 3, null), "Max"));

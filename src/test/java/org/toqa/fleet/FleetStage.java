@@ -97,7 +97,8 @@ public final class FleetStage implements AutoCloseable {
     robots.put(name, robot);
     robot.setPeers(this::scriptedRobot);
     store.saveRobot(
-        new RobotRecord(name, floor.name(), "127.0.0.1", 1, MAX_LOAD, parking, false, fingerprint));
+        RobotRecord.direct(
+            name, floor.name(), "127.0.0.1", 1, MAX_LOAD, parking, false, fingerprint));
     return robot;
   }
 
@@ -116,7 +117,7 @@ public final class FleetStage implements AutoCloseable {
           }
 
           @Override
-          public PairingResult pair(String robot, String host, int port, PairingCode code) {
+          public PairingResult pair(RobotAddress robot, PairingCode code) {
             Fingerprint shown = pairingFingerprint;
             return shown == null
                 ? new PairingResult.Unreachable(Sentence.verbatim("The robot does not answer."))

@@ -94,7 +94,7 @@ class FloodingRobotTest {
       this.x = x;
       port.setSoTimeout((int) LIMIT.toMillis());
       store.saveRobot(
-          new RobotRecord(
+          RobotRecord.direct(
               name, FLOOR.name(), "127.0.0.1", port.getLocalPort(), 5, null, false, null));
     }
 

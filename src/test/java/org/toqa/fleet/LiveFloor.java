@@ -12,7 +12,9 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.LockSupport;
+import java.util.function.Function;
 import java.util.function.Predicate;
+import org.jspecify.annotations.Nullable;
 import org.toqa.allocation.Policy;
 import org.toqa.app.server.TrueBodies;
 import org.toqa.fleet.manager.AgentFleet;
@@ -20,6 +22,7 @@ import org.toqa.geometry.Pose;
 import org.toqa.grid.FloorMap;
 import org.toqa.grid.Place;
 import org.toqa.link.TcpRobotLinkFactory;
+import org.toqa.link.gateway.Gateways;
 import org.toqa.link.trust.IdentityFile;
 import org.toqa.link.trust.LinkTls;
 import org.toqa.mission.TaskState;
@@ -71,6 +74,21 @@ final class LiveFloor {
    * @param speed how many times faster than real time at most
    */
   LiveFloor(Path folder, FloorMap floor, SimulatedFloor world, double speed) throws Exception {
+    this(folder, floor, world, speed, null, _ -> Gateways.NONE);
+  }
+
+  /**
+   * @param gateway reaches all robots; null: the server does
+   * @param gateways those of the server, made when the robots are there
+   */
+  LiveFloor(
+      Path folder,
+      FloorMap floor,
+      SimulatedFloor world,
+      double speed,
+      @Nullable String gateway,
+      Function<SimulatedFleet, Gateways> gateways)
+      throws Exception {
     this.world = world;
     clock = new VirtualClock(Instant.EPOCH, speed);
     stepNanos = Math.round(VirtualClock.STEP.toNanos() / speed);
@@ -93,11 +111,17 @@ final class LiveFloor {
               MAX_LOAD,
               parking.name(),
               true,
-              null));
+              null,
+              gateway));
     }
     links =
         new SteppedLinks(
-            new TcpRobotLinkFactory(new LinkTls(IdentityFile.open(folder)), false), clock);
+            new TcpRobotLinkFactory(
+                new LinkTls(IdentityFile.open(folder)),
+                gateways.apply(robots),
+                gateway != null, // whose robots are not paired here
+                1),
+            clock);
     fleet =
         new AgentFleet(
             List.of(floor),

@@ -45,7 +45,7 @@ import scala.concurrent.ExecutionContext;
 @Timeout(60)
 class RobotAgentTest {
   private static final RobotRecord R1 =
-      new RobotRecord("r1", "hall", "127.0.0.1", 1, 5, null, false, null);
+      RobotRecord.direct("r1", "hall", "127.0.0.1", 1, 5, null, false, null);
   private static final Pose START = new Pose(0, 0, 0);
   private static final Segment METRE = new Segment(0.5, 0, 2); // 0.5 m/s for 2 s
   private static final Duration STEP = Duration.ofMillis(100);
@@ -106,7 +106,7 @@ class RobotAgentTest {
       }
 
       @Override
-      public PairingResult pair(String name, String host, int port, PairingCode code) {
+      public PairingResult pair(RobotAddress robot, PairingCode code) {
         throw new UnsupportedOperationException();
       }
     };

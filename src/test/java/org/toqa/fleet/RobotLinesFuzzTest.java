@@ -88,7 +88,7 @@ class RobotLinesFuzzTest {
     robot.setSoTimeout((int) LIMIT.toMillis());
     JdbiFleetStore store = new JdbiFleetStore(database.jdbi());
     store.saveRobot(
-        new RobotRecord(
+        RobotRecord.direct(
             "r1", FLOOR.name(), "127.0.0.1", robot.getLocalPort(), 5, "P1", false, null));
     fleet =
         new AgentFleet(

@@ -76,8 +76,8 @@ final class SteppedLinks implements RobotLinkFactory {
   }
 
   @Override
-  public PairingResult pair(String robot, String host, int port, PairingCode code) {
-    return real.pair(robot, host, port, code);
+  public PairingResult pair(RobotAddress robot, PairingCode code) {
+    return real.pair(robot, code);
   }
 
   @Override

@@ -166,6 +166,7 @@ final class RoadWorld {
         usual.firstManager(),
         usual.mailServer(),
         usual.plainLinks(),
+        usual.gateways(),
         usual.logLevel(),
         usual.logFormat());
   }

@@ -15,8 +15,8 @@ import org.toqa.testbed.LabTask;
 abstract class FleetDatabaseTest extends DatabaseTest {
   static final Instant AT = Instant.parse("2026-11-21T10:00:00.123Z");
   static final RobotRecord R1 =
-      new RobotRecord("r1", "lab", "127.0.0.1", 7275, 5, "P1", true, null);
-  static final RobotRecord R2 = new RobotRecord("r2", "lab", "host", 1, 2.5, null, false, null);
+      RobotRecord.direct("r1", "lab", "127.0.0.1", 7275, 5, "P1", true, null);
+  static final RobotRecord R2 = RobotRecord.direct("r2", "lab", "host", 1, 2.5, null, false, null);
 
   JdbiFleetStore store;
 

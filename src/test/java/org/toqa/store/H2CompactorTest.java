@@ -43,7 +43,7 @@ class H2CompactorTest {
     Path file = folder.resolve("toqa.mv.db");
     try (Database database = open()) {
       JdbiFleetStore store = new JdbiFleetStore(database.jdbi());
-      store.saveRobot(new RobotRecord("r1", "lab", "127.0.0.1", 1, 5, null, true, null));
+      store.saveRobot(RobotRecord.direct("r1", "lab", "127.0.0.1", 1, 5, null, true, null));
       for (int i = 1; i <= COMMITS; i++) {
         store.saveDrive("r1", drive(i));
       }
@@ -65,7 +65,7 @@ class H2CompactorTest {
     Path file = folder.resolve("toqa.mv.db");
     try (Database database = open()) {
       JdbiFleetStore store = new JdbiFleetStore(database.jdbi());
-      store.saveRobot(new RobotRecord("r1", "lab", "127.0.0.1", 1, 5, null, true, null));
+      store.saveRobot(RobotRecord.direct("r1", "lab", "127.0.0.1", 1, 5, null, true, null));
       int commits = 0;
       while (commits < COMMITS) {
         store.saveDrive("r1", drive(++commits));
@@ -85,7 +85,8 @@ class H2CompactorTest {
     try (Database database = open()) {
       JdbiFleetStore store = new JdbiFleetStore(database.jdbi());
       for (int robot = 0; robot < ROBOTS; robot++) {
-        store.saveRobot(new RobotRecord("r" + robot, "lab", "127.0.0.1", 1, 5, null, true, null));
+        store.saveRobot(
+            RobotRecord.direct("r" + robot, "lab", "127.0.0.1", 1, 5, null, true, null));
         store.saveDrive("r" + robot, drive(1));
       }
       AtomicBoolean isOver = new AtomicBoolean();

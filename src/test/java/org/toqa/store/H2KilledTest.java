@@ -29,7 +29,8 @@ class H2KilledTest {
     try (Database database = open()) {
       new JdbiFleetStore(database.jdbi())
           .saveRobot(
-              new RobotRecord(CommittingProcess.ROBOT, "lab", "127.0.0.1", 1, 5, null, true, null));
+              RobotRecord.direct(
+                  CommittingProcess.ROBOT, "lab", "127.0.0.1", 1, 5, null, true, null));
     }
     long last = 0;
     for (int run = 1; run <= RUNS; run++) {

@@ -132,7 +132,7 @@ class HistoryTest extends DatabaseTest {
   @Test
   void robotsThatWereRemovedAreStillNamed() {
     for (String name : List.of("r2", "r1")) {
-      store.saveRobot(new RobotRecord(name, "lab", "127.0.0.1", 7275, 5, null, false, null));
+      store.saveRobot(RobotRecord.direct(name, "lab", "127.0.0.1", 7275, 5, null, false, null));
     }
     store.removeRobot("r1", List.of());
 
@@ -156,7 +156,7 @@ class HistoryTest extends DatabaseTest {
 
   @Test
   void aChangeThatIsRepeatedIsToldOnce() {
-    store.saveRobot(new RobotRecord("r1", "lab", "127.0.0.1", 7275, 5, null, true, null));
+    store.saveRobot(RobotRecord.direct("r1", "lab", "127.0.0.1", 7275, 5, null, true, null));
     List<EventRecord> events =
         List.of(
             event(AT, "robot.held", null, "r1", "Max", "Max put r1 on hold"),
@@ -182,7 +182,7 @@ class HistoryTest extends DatabaseTest {
 
   @Test
   void aTrackComesBackToTheMillimetre() {
-    store.saveRobot(new RobotRecord("r1", "lab", "127.0.0.1", 7275, 5, null, true, null));
+    store.saveRobot(RobotRecord.direct("r1", "lab", "127.0.0.1", 7275, 5, null, true, null));
     TrackPoint early = new TrackPoint("r1", AT, new Vec2(1.234, -5.678));
     TrackPoint late = new TrackPoint("r1", AT.plusSeconds(5), new Vec2(2, 0));
     tracks.add(List.of(late, early, new TrackPoint("nobody", AT, new Vec2(0, 0))));
@@ -197,7 +197,7 @@ class HistoryTest extends DatabaseTest {
   @Test
   void tracksOfAPeriodComeWithWhatIsBesideIt() {
     for (String robot : List.of("r1", "r2", "r3")) {
-      store.saveRobot(new RobotRecord(robot, "lab", "127.0.0.1", 7275, 5, null, true, null));
+      store.saveRobot(RobotRecord.direct(robot, "lab", "127.0.0.1", 7275, 5, null, true, null));
     }
     tracks.add(points("r1", -30, -20, -10, 0, 10, 20, 30, 40));
     tracks.add(points("r2", -3000));
@@ -215,7 +215,7 @@ class HistoryTest extends DatabaseTest {
   @Test
   void tracksEndEarlierWhereTheyAreTooMany() {
     for (String robot : List.of("r1", "r2")) {
-      store.saveRobot(new RobotRecord(robot, "lab", "127.0.0.1", 7275, 5, null, true, null));
+      store.saveRobot(RobotRecord.direct(robot, "lab", "127.0.0.1", 7275, 5, null, true, null));
     }
     tracks.add(points("r1", 0, 10, 20, 30));
     tracks.add(points("r2", 5, 15, 25));
@@ -250,7 +250,7 @@ class HistoryTest extends DatabaseTest {
 
   @Test
   void whatIsTooOldIsPrunedAndWhatIsOpenStays() {
-    store.saveRobot(new RobotRecord("r1", "lab", "127.0.0.1", 7275, 5, null, true, null));
+    store.saveRobot(RobotRecord.direct("r1", "lab", "127.0.0.1", 7275, 5, null, true, null));
     TransportTask done = added(task("done"));
     TransportTask open = added(task("open"));
     Mission ended = new Mission(done, TaskState.CANCELLED, List.of(), false, null, null, null);

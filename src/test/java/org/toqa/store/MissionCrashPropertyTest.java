@@ -32,7 +32,7 @@ class MissionCrashPropertyTest {
   void addRobots() {
     JdbiFleetStore store = new JdbiFleetStore(database.jdbi());
     for (String robot : List.of("r1", "r2", "r3")) {
-      store.saveRobot(new RobotRecord(robot, "lab", "127.0.0.1", 7275, 5, "P1", false, null));
+      store.saveRobot(RobotRecord.direct(robot, "lab", "127.0.0.1", 7275, 5, "P1", false, null));
     }
   }
 

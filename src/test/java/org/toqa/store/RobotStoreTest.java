@@ -40,9 +40,14 @@ class RobotStoreTest extends FleetDatabaseTest {
   void robotsComeBackAsTheyWereStored() {
     store.saveRobot(R1);
     store.saveRobot(R2);
-    RobotRecord moved = new RobotRecord("r1", "lab", "127.0.0.1", 7300, 5, "P1", true, null);
+    RobotRecord moved = RobotRecord.direct("r1", "lab", "127.0.0.1", 7300, 5, "P1", true, null);
     store.saveRobot(moved);
     assertEquals(List.of(moved, R2), store.robots());
+
+    RobotRecord behind = moved.withChange(new RobotChange("10.0.0.7", 7275, 5, "P1", "dock"));
+    assertTrue(store.updateRobot(moved, behind, List.of()));
+    assertEquals(List.of(behind, R2), store.robots());
+    assertFalse(store.updateRobot(moved, R1, List.of()), "it is reached by another gateway now");
   }
 
   @Test
@@ -54,7 +59,7 @@ class RobotStoreTest extends FleetDatabaseTest {
     store.saveService("r1", false, List.of());
     store.saveService("r2", false, List.of());
     store.saveService("r2", true, List.of());
-    store.saveRobot(new RobotRecord("r1", "lab", "127.0.0.1", 7300, 5, "P1", true, null));
+    store.saveRobot(RobotRecord.direct("r1", "lab", "127.0.0.1", 7300, 5, "P1", true, null));
 
     assertEquals(Set.of("r1"), robots(StoredRobot::outOfService));
     assertThrows(StoreException.class, () -> store.saveService("nobody", false, List.of()));
@@ -154,7 +159,7 @@ class RobotStoreTest extends FleetDatabaseTest {
 
     ChargeRecord waits = new ChargeRecord("r1", Duration.ofMinutes(90), new Turn("C1", AT));
     store.saveCharge(waits, List.of());
-    store.saveRobot(new RobotRecord("r1", "lab", "127.0.0.1", 7300, 5, "P1", true, null));
+    store.saveRobot(RobotRecord.direct("r1", "lab", "127.0.0.1", 7300, 5, "P1", true, null));
 
     assertEquals(List.of(waits), charges());
     store.saveCharge(rested, List.of());

@@ -50,7 +50,7 @@ class StatisticsTest extends DatabaseTest {
     uses = new JdbiUtilisationStore(database.jdbi());
     statistics = new JdbiStatisticsArchive(database.jdbi());
     for (String robot : List.of("r1", "r2")) {
-      store.saveRobot(new RobotRecord(robot, "lab", "127.0.0.1", 7275, 5, null, true, null));
+      store.saveRobot(RobotRecord.direct(robot, "lab", "127.0.0.1", 7275, 5, null, true, null));
     }
   }
 

@@ -50,7 +50,7 @@ public final class Hall {
 
   /** A robot that parks at P1; one elsewhere than here is a real one. */
   public static RobotRecord record(String name, String host, int port) {
-    return new RobotRecord(name, "hall", host, port, 5, "P1", host.equals("127.0.0.1"), null);
+    return RobotRecord.direct(name, "hall", host, port, 5, "P1", host.equals("127.0.0.1"), null);
   }
 
   /** A floor with an obstacle of 2 x 2 cells, those of a lost robot r6, and a standstill. */

@@ -18,7 +18,7 @@ public final class RobotNetwork implements AutoCloseable {
    * So that two runs on one machine do not meet: names have at most 15 characters. The full suite
    * chooses it, and removes what bears it when it is killed.
    */
-  private static final long RUN = Long.getLong("toqa.run", ProcessHandle.current().pid()) % 10_000;
+  static final long RUN = Long.getLong("toqa.run", ProcessHandle.current().pid()) % 10_000;
 
   private static final String SWITCH = "tq" + RUN + "s";
   private static final String SUBNET = "10.231.%d.".formatted(RUN % 250);
@@ -101,13 +101,13 @@ public final class RobotNetwork implements AutoCloseable {
     return "tq%dc%d".formatted(RUN, robot + 1);
   }
 
-  private static void ip(String arguments) throws IOException, InterruptedException {
+  static void ip(String arguments) throws IOException, InterruptedException {
     List<String> command = new ArrayList<>(List.of("ip"));
     command.addAll(List.of(arguments.split(" ", -1)));
     run(command);
   }
 
-  private static void run(List<String> command) throws IOException, InterruptedException {
+  static void run(List<String> command) throws IOException, InterruptedException {
     Process process = new ProcessBuilder(command).redirectErrorStream(true).start();
     String said = new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
     if (!process.waitFor(LIMIT_SECONDS, TimeUnit.SECONDS) || process.exitValue() != 0) {

@@ -22,6 +22,7 @@ import org.toqa.fleet.TaskPreview;
 import org.toqa.fleet.TaskView;
 import org.toqa.geometry.Vec2;
 import org.toqa.grid.FloorMap;
+import org.toqa.link.gateway.GatewayState;
 import org.toqa.mission.AssignedRobot;
 import org.toqa.mission.Mission;
 import org.toqa.mission.MissionEvent;
@@ -373,5 +374,10 @@ public abstract class TasksInMemory extends ArchiveInMemory implements Fleet {
       case Where.Station(String name) ->
           floor.place(name).map(p -> new TaskPlace(p.position(), p.name()));
     };
+  }
+
+  @Override
+  public List<GatewayState> gateways() {
+    return List.of();
   }
 }

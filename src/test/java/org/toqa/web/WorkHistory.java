@@ -126,7 +126,7 @@ public final class WorkHistory {
   }
 
   private void addRobot(String name) {
-    store.saveRobot(new RobotRecord(name, "hall", "127.0.0.1", 7275, 5, null, true, null));
+    store.saveRobot(RobotRecord.direct(name, "hall", "127.0.0.1", 7275, 5, null, true, null));
   }
 
   private static UtilisationRecord useRecord(

@@ -23,6 +23,7 @@ import org.toqa.agent.config.ChassisConfig;
 import org.toqa.formation.Shape;
 import org.toqa.geometry.Pose;
 import org.toqa.link.PairingResult;
+import org.toqa.link.RobotAddress;
 import org.toqa.link.TcpRobotLinkFactory;
 import org.toqa.link.message.ServerMessage.Drive;
 import org.toqa.link.message.ServerMessage.Follow;
@@ -126,7 +127,8 @@ final class FormationRig implements AutoCloseable {
     }
     PairingCode code = PairingCode.parse(daemon.pairingCode().orElseThrow()).orElseThrow();
     PairingResult result =
-        new TcpRobotLinkFactory(tls, false).pair(daemon.robot(), "127.0.0.1", daemon.port(), code);
+        new TcpRobotLinkFactory(tls, false)
+            .pair(new RobotAddress(daemon.robot(), "127.0.0.1", daemon.port(), null), code);
     return Optional.of(assertInstanceOf(PairingResult.Paired.class, result).robot());
   }
 

@@ -64,7 +64,10 @@ class PairedDaemonTest {
     daemon = DaemonThread.start(config, true);
     PairingCode code = PairingCode.parse(daemon.pairingCode()).orElseThrow();
     robot =
-        assertInstanceOf(Paired.class, links("server").pair("r1", "127.0.0.1", daemon.port(), code))
+        assertInstanceOf(
+                Paired.class,
+                links("server")
+                    .pair(new RobotAddress("r1", "127.0.0.1", daemon.port(), null), code))
             .robot();
   }
 
@@ -81,7 +84,9 @@ class PairedDaemonTest {
     PairingCode code =
         PairingCode.parse(asked.errors().replaceAll("(?s)Pairing code: (\\S+) .*", "$1"))
             .orElseThrow();
-    assertInstanceOf(Paired.class, links("other").pair("r1", "127.0.0.1", daemon.port(), code));
+    assertInstanceOf(
+        Paired.class,
+        links("other").pair(new RobotAddress("r1", "127.0.0.1", daemon.port(), null), code));
     assertTrue(Files.notExists(folder.resolve("robot/pairing.code")));
   }
 

@@ -31,6 +31,7 @@ import org.toqa.link.PairingResult;
 import org.toqa.link.PairingResult.Paired;
 import org.toqa.link.PairingResult.Refused;
 import org.toqa.link.PairingResult.Unreachable;
+import org.toqa.link.RobotAddress;
 import org.toqa.link.TcpRobotLinkFactory;
 import org.toqa.link.message.DecodeResult.Decoded;
 import org.toqa.link.message.LineReader;
@@ -113,7 +114,9 @@ class PairingTest {
 
   private PairingResult pair(LinkTls who, String code) {
     return new TcpRobotLinkFactory(who, false)
-        .pair("r1", "127.0.0.1", daemon().port(), PairingCode.parse(code).orElseThrow());
+        .pair(
+            new RobotAddress("r1", "127.0.0.1", daemon().port(), null),
+            PairingCode.parse(code).orElseThrow());
   }
 
   private String code() {
@@ -294,7 +297,9 @@ class PairingTest {
   void robotOfAnotherNameIsNotTaken() {
     PairingResult result =
         new TcpRobotLinkFactory(server, false)
-            .pair("r2", "127.0.0.1", daemon().port(), PairingCode.parse(code()).orElseThrow());
+            .pair(
+                new RobotAddress("r2", "127.0.0.1", daemon().port(), null),
+                PairingCode.parse(code()).orElseThrow());
 
     assertEquals(
         new Unreachable(Phrase.HAS_ANOTHER_NAME.with("127.0.0.1:" + daemon().port(), "r2")),

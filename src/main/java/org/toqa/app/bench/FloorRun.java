@@ -206,7 +206,7 @@ final class FloorRun implements AutoCloseable {
 
   /** The port is its index, by which its link finds it. */
   private static RobotRecord record(String name, int index, String floor) {
-    return new RobotRecord(name, floor, "simulated", index, 5, null, true, null);
+    return RobotRecord.direct(name, floor, "simulated", index, 5, null, true, null);
   }
 
   private final class Links implements RobotLinkFactory {
@@ -235,7 +235,7 @@ final class FloorRun implements AutoCloseable {
     }
 
     @Override
-    public PairingResult pair(String robot, String host, int port, PairingCode code) {
+    public PairingResult pair(RobotAddress robot, PairingCode code) {
       return new PairingResult.Unreachable(Sentence.verbatim("It is simulated."));
     }
   }

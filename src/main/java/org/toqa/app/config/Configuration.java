@@ -38,6 +38,7 @@ import org.toqa.fleet.ChargingRules;
  * @param firstManager the manager to make while there is none
  * @param mailServer sends e-mail; null: none is sent
  * @param plainLinks whether links to robots on other machines may be unencrypted
+ * @param gateways where gateways are listened for; null: nowhere
  */
 public record Configuration(
     InetAddress address,
@@ -64,6 +65,7 @@ public record Configuration(
     @Nullable FirstManager firstManager,
     @Nullable MailServer mailServer,
     boolean plainLinks,
+    @Nullable GatewaySettings gateways,
     Level logLevel,
     LogFormat logFormat) {
 

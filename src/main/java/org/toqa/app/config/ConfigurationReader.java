@@ -54,7 +54,7 @@ record ConfigurationReader(List<SettingSource> layers) {
           Setting.SPEED, "only simulated robots can be made faster: set simulate as well.");
     }
     return new Configuration(
-        address(),
+        address(Setting.ADDRESS),
         wholeNumber(Setting.PORT),
         hosts(),
         tls(),
@@ -78,6 +78,7 @@ record ConfigurationReader(List<SettingSource> layers) {
         firstManager(),
         mailServer(),
         flag(Setting.PLAIN_LINKS),
+        gateways(),
         logLevel(),
         logFormat());
   }
@@ -125,13 +126,24 @@ record ConfigurationReader(List<SettingSource> layers) {
         ChargingRules.USUAL.patience());
   }
 
-  private InetAddress address() throws ConfigurationException {
-    String text = text(Setting.ADDRESS);
+  private InetAddress address(Setting setting) throws ConfigurationException {
     try {
-      return InetAddress.getByName(text);
+      return InetAddress.getByName(text(setting));
     } catch (UnknownHostException e) {
-      throw outOfRange(Setting.ADDRESS);
+      throw outOfRange(setting);
     }
+  }
+
+  private @Nullable GatewaySettings gateways() throws ConfigurationException {
+    InetAddress address = address(Setting.GATEWAYS_ADDRESS);
+    int port = wholeNumber(Setting.GATEWAYS_PORT);
+    String trusted = text(Setting.GATEWAYS_TRUSTED).strip();
+    if (trusted.isEmpty()) {
+      return null;
+    }
+    return GatewaySettings.parseTrusted(trusted)
+        .map(known -> new GatewaySettings(address, port, known))
+        .orElseThrow(() -> outOfRange(Setting.GATEWAYS_TRUSTED));
   }
 
   /** With those that {@link Setting#ADDRESS} and {@link Setting#SITE} name. */

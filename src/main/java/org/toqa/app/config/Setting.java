@@ -59,6 +59,9 @@ public enum Setting {
   MAIL_PASSWORD("mail.password", "", "that user's password"),
   MAIL_FROM("mail.from", "", "the e-mail address that letters come from, such as toqa@example.org"),
   PLAIN_LINKS("plainLinks", "false", new Choice("true", "false")),
+  GATEWAYS_TRUSTED("gateways.trusted", "", GatewaySettings.DESCRIPTION),
+  GATEWAYS_ADDRESS("gateways.address", "0.0.0.0", "a host name or IP address of this machine"),
+  GATEWAYS_PORT("gateways.port", "7276", new WholeNumber(0, 65_535, "", "; 0 takes any free port")),
   LOG_LEVEL("logLevel", "INFO", new Choice("ERROR", "WARN", "INFO", "DEBUG", "TRACE")),
   LOG_FORMAT("logFormat", "text", new Choice("text", "json"));
 

@@ -31,10 +31,6 @@ import org.toqa.fleet.schedule.Scheduler;
 import org.toqa.geometry.Pose;
 import org.toqa.grid.FloorMap;
 import org.toqa.grid.FloorReader;
-import org.toqa.link.RobotLinkFactory;
-import org.toqa.link.TcpRobotLinkFactory;
-import org.toqa.link.trust.IdentityFile;
-import org.toqa.link.trust.LinkTls;
 import org.toqa.sim.Body;
 import org.toqa.sim.Participant;
 import org.toqa.sim.SimulatedFleet;
@@ -158,7 +154,7 @@ public final class FleetServer implements AutoCloseable {
             List.of(floor),
             store,
             schedules,
-            openLinks(configuration, simulated, clock),
+            ServerLinks.open(configuration, simulated, clock, parts),
             configuration.allocationPolicy().allocator(),
             new FleetRules(
                 configuration.reassignAfter(),
@@ -274,22 +270,6 @@ public final class FleetServer implements AutoCloseable {
   /** They may stand before the host, and among the parameters. */
   private static String withoutCredentials(String url) {
     return url.replaceFirst("[?;].*", "").replaceFirst("//[^/]*@", "//");
-  }
-
-  private static RobotLinkFactory openLinks(
-      Configuration configuration, @Nullable SimulatedFleet simulated, VirtualClock clock)
-      throws IOException {
-    RobotLinkFactory links =
-        new TcpRobotLinkFactory(
-            new LinkTls(IdentityFile.open(configuration.data())),
-            configuration.plainLinks(),
-            configuration.widestRobot());
-    if (simulated == null) {
-      return links;
-    }
-    SimulatedLinks waitedFor = new SimulatedLinks(links, simulated::isListeningOn, clock::nanos);
-    clock.add(waitedFor, VirtualClock.STEP);
-    return waitedFor;
   }
 
   private static void addFirstManager(

@@ -1,6 +1,7 @@
 package org.toqa.app.server;
 
 import java.time.Duration;
+import java.util.List;
 import java.util.Map;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.function.IntPredicate;
@@ -9,6 +10,7 @@ import org.toqa.link.PairingResult;
 import org.toqa.link.RobotAddress;
 import org.toqa.link.RobotLink;
 import org.toqa.link.RobotLinkFactory;
+import org.toqa.link.gateway.GatewayState;
 import org.toqa.link.message.AgentMessage;
 import org.toqa.link.message.AgentMessage.Hello;
 import org.toqa.link.message.ServerMessage;
@@ -65,8 +67,13 @@ final class SimulatedLinks implements RobotLinkFactory, Participant {
   }
 
   @Override
-  public PairingResult pair(String robot, String host, int port, PairingCode code) {
-    return links.pair(robot, host, port, code);
+  public PairingResult pair(RobotAddress robot, PairingCode code) {
+    return links.pair(robot, code);
+  }
+
+  @Override
+  public List<GatewayState> gateways() {
+    return links.gateways();
   }
 
   @Override

@@ -53,7 +53,8 @@ final class SimulatedRobots {
         int port = simulated.port(name);
         String parking = i < floor.parking().size() ? places.get(i).name() : null;
         RobotRecord fresh =
-            new RobotRecord(name, floor.name(), "127.0.0.1", port, MAX_LOAD, parking, true, null);
+            RobotRecord.direct(
+                name, floor.name(), "127.0.0.1", port, MAX_LOAD, parking, true, null);
         store.saveRobot(
             known.stream()
                 .filter(r -> r.simulated() && r.name().equals(name))

@@ -47,6 +47,7 @@ import org.toqa.fleet.schedule.StoredSchedules;
 import org.toqa.geometry.Pose;
 import org.toqa.grid.FloorMap;
 import org.toqa.link.RobotLinkFactory;
+import org.toqa.link.gateway.GatewayState;
 import org.toqa.mission.MissionEvent;
 import org.toqa.mission.TransportTask;
 import org.toqa.wording.Phrase;
@@ -63,6 +64,7 @@ public final class AgentFleet implements Fleet, AutoCloseable {
 
   private final List<FloorMap> floors;
   private final LatestSnapshot latestSnapshot;
+  private final RobotLinkFactory links;
   private final Schedules schedules;
   private final FleetRuntime runtime;
   private final PendingSubmissions pendingSubmissions = new PendingSubmissions();
@@ -139,6 +141,7 @@ public final class AgentFleet implements Fleet, AutoCloseable {
             "toqa",
             AgentSystemSetup.of(runtime));
     this.manager = new ManagerCalls(system, checks);
+    this.links = links;
     this.schedules = new StoredSchedules(scheduleStore, this, clock);
     this.health = AgentHealth.of(system);
     this.robotAgents = RobotAgents.of(system);
@@ -237,6 +240,11 @@ public final class AgentFleet implements Fleet, AutoCloseable {
   @Override
   public CompletionStage<Answer<RobotView>> addRobot(RobotOrder order, String user) {
     return manager.ask(replyTo -> new ManagerMessage.AddRobot(order, user, replyTo));
+  }
+
+  @Override
+  public List<GatewayState> gateways() {
+    return links.gateways();
   }
 
   @Override

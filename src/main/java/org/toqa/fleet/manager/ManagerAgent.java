@@ -34,6 +34,7 @@ import org.toqa.fleet.robot.RobotAgents;
 import org.toqa.fleet.robot.Supervision;
 import org.toqa.grid.FloorMap;
 import org.toqa.link.RobotLinkFactory;
+import org.toqa.link.gateway.GatewayState;
 import org.toqa.mission.Mission;
 import org.toqa.mission.TaskState;
 import org.toqa.wording.Phrase;
@@ -126,7 +127,13 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
     List<OpenTask> open = store.openTasks();
     Set<Long> toldBefore = open.stream().map(t -> t.mission().id()).collect(Collectors.toSet());
     PathQuery paths = new PathQuery(checks.fleetExecutor());
-    OrderValidator validator = new OrderValidator(floorMaps, paths);
+    OrderValidator validator =
+        new OrderValidator(
+            floorMaps,
+            links.gateways().stream()
+                .map(GatewayState::name)
+                .collect(Collectors.toUnmodifiableSet()),
+            paths);
     this.lateTasks = new LateTaskReporter(fleet, new DeadlineWatch(rules.pace(), toldBefore), self);
     this.rounds = new AllocationRounds(fleet, allocator, paths, self);
     this.snapshotPublisher =

@@ -39,6 +39,7 @@ final class OrderValidator {
   static final double SMALLEST_RADIUS = 0.1275;
 
   private final List<FloorMap> floors;
+  private final Set<String> gateways;
   private final PathQuery paths;
 
   /** By floor: where the middle of the smallest robot can be. */
@@ -46,9 +47,11 @@ final class OrderValidator {
 
   /**
    * @param floors at least one; the first is the default
+   * @param gateways the names of those that there are
    */
-  OrderValidator(List<FloorMap> floors, PathQuery paths) {
+  OrderValidator(List<FloorMap> floors, Set<String> gateways, PathQuery paths) {
     this.floors = List.copyOf(floors);
+    this.gateways = Set.copyOf(gateways);
     this.paths = paths;
     this.standable =
         floors.stream()
@@ -180,6 +183,10 @@ final class OrderValidator {
     if (existing.stream().anyMatch(r -> r.name().equalsIgnoreCase(order.name()))) {
       return new Answer.Rejected<>("name", Phrase.ROBOT_NAME_TAKEN.with(order.name()));
     }
+    Optional<Sentence> ofGateway = objectionToGateway(order.gateway());
+    if (ofGateway.isPresent()) {
+      return new Answer.Rejected<>("gateway", ofGateway.get());
+    }
     FloorMap floor = floors.getFirst();
     Set<String> taken = takenParking(existing.stream());
     String parking = order.parking();
@@ -205,7 +212,8 @@ final class OrderValidator {
             order.maxLoad(),
             parking,
             false,
-            null));
+            null,
+            order.gateway()));
   }
 
   Answer<RobotRecord> checkChange(
@@ -213,6 +221,10 @@ final class OrderValidator {
     RobotRecord changed = robot.withChange(change);
     if (robot.simulated() && !changed.address().equals(robot.address())) {
       return new Answer.Rejected<>("host", Phrase.SIMULATED_HAS_NO_ADDRESS.with(robot.name()));
+    }
+    Optional<Sentence> ofGateway = objectionToGateway(change.gateway());
+    if (ofGateway.isPresent()) {
+      return new Answer.Rejected<>("gateway", ofGateway.get());
     }
     Set<String> taken =
         takenParking(existing.stream().filter(other -> !other.name().equals(robot.name())));
@@ -225,6 +237,12 @@ final class OrderValidator {
     return objection.isPresent()
         ? new Answer.Rejected<>("parking", objection.get())
         : new Answer.Accepted<>(changed);
+  }
+
+  private Optional<Sentence> objectionToGateway(@Nullable String gateway) {
+    return gateway == null || gateways.contains(gateway)
+        ? Optional.empty()
+        : Optional.of(Phrase.NO_SUCH_GATEWAY.with(gateway));
   }
 
   private static Set<String> takenParking(Stream<RobotRecord> robots) {

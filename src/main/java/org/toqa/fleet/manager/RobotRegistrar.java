@@ -95,7 +95,7 @@ final class RobotRegistrar {
         .threadPerTaskExecutor("pairing-" + robot.name())
         .execute(
             () -> {
-              switch (links.pair(robot.name(), robot.host(), robot.port(), code)) {
+              switch (links.pair(robot.address(), code)) {
                 case PairingResult.Paired(Fingerprint shown) -> paired.accept(shown);
                 case PairingResult.Refused(Sentence sentence) ->
                     reject("code", sentence, robot, request);

@@ -28,7 +28,7 @@ final class ReportForwarder {
   private static final int ENDS_A_SECOND = 5;
   private static final int STRAY_ANSWERS_A_SECOND = 20;
 
-  /** Of those that end soon; see {@code link.Backoff}. */
+  /** Of those that end soon; see {@code link.channel.Backoff}. */
   private static final int CONNECTIONS_A_MINUTE = 10;
 
   private static final Duration SECOND = Duration.ofSeconds(1);

@@ -123,6 +123,15 @@ public final class LinkCodec {
     return encode((Object) message);
   }
 
+  /**
+   * The message as a line with its line feed.
+   *
+   * @return bytes of UTF-8, at most {@link #MAX_LINE_BYTES}
+   */
+  public static byte[] encode(GatewayMessage message) {
+    return encode((Object) message);
+  }
+
   /** The message, or the refusal that says what is wrong with the line; never throws. */
   public static DecodeResult<ServerMessage> decodeServerMessage(LineReader.Line line) {
     return decode(line, ServerMessage.class);
@@ -136,6 +145,11 @@ public final class LinkCodec {
   /** As {@link #decodeServerMessage}. */
   public static DecodeResult<PairingMessage> decodePairingMessage(LineReader.Line line) {
     return decode(line, PairingMessage.class);
+  }
+
+  /** As {@link #decodeServerMessage}. */
+  public static DecodeResult<GatewayMessage> decodeGatewayMessage(LineReader.Line line) {
+    return decode(line, GatewayMessage.class);
   }
 
   private static String tooLong(long bytes) {

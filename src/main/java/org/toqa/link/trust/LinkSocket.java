@@ -32,6 +32,13 @@ public final class LinkSocket implements AutoCloseable {
     return new LinkSocket(connected, connected, null, "");
   }
 
+  /**
+   * The same as what another link is carried in: who is at the other end of that is not known yet.
+   */
+  public LinkSocket asCarrier() {
+    return new LinkSocket(tcp, stream, null, "");
+  }
+
   /** Who has proved to be at the other end; null where the link is not encrypted. */
   public @Nullable Fingerprint peer() {
     return peer;
@@ -40,6 +47,31 @@ public final class LinkSocket implements AutoCloseable {
   /** Whether the other end wants to pair. */
   public boolean isForPairing() {
     return protocol.equals(LinkTls.PAIRING);
+  }
+
+  /**
+   * @param silence the longest wait for a byte
+   * @throws IOException when the socket is closed
+   */
+  public void setReadLimit(Duration silence) throws IOException {
+    tcp.setSoTimeout((int) silence.toMillis());
+  }
+
+  /**
+   * Tells the other end that nothing more comes; what it says can still be read.
+   *
+   * @throws IOException when the socket is closed
+   */
+  public void endOutput() throws IOException {
+    stream.shutdownOutput();
+  }
+
+  Socket tcp() {
+    return tcp;
+  }
+
+  Socket stream() {
+    return stream;
   }
 
   public InetAddress remoteAddress() {

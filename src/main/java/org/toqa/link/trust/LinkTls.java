@@ -31,6 +31,9 @@ public final class LinkTls {
   /** The protocol (ALPN) of a server that pairs. */
   public static final String PAIRING = "toqa-pair/1";
 
+  /** The protocol (ALPN) of a gateway. */
+  public static final String GATEWAY = "toqa-gateway/1";
+
   /** Every TLS connection begins with a record of this type. */
   private static final int HANDSHAKE_RECORD = 22;
 
@@ -61,7 +64,15 @@ public final class LinkTls {
    */
   public LinkSocket connect(
       Socket connected, String protocol, PeerVerifier verifier, Duration limit) throws IOException {
-    try (TimeLimit time = new TimeLimit(connected, limit)) {
+    return connect(LinkSocket.plain(connected), protocol, verifier, limit);
+  }
+
+  /** As the other one, within a connection that may be encrypted itself. */
+  public LinkSocket connect(
+      LinkSocket carrier, String protocol, PeerVerifier verifier, Duration limit)
+      throws IOException {
+    Socket connected = carrier.stream();
+    try (TimeLimit time = carrier.startTimeLimit(limit)) {
       try {
         SSLSocket tls =
             (SSLSocket)
@@ -72,22 +83,34 @@ public final class LinkTls {
                         connected.getInetAddress().getHostAddress(),
                         connected.getPort(),
                         false);
-        return handshake(connected, tls, protocol);
+        return handshake(carrier.tcp(), tls, protocol);
       } catch (IOException e) {
         HandshakeException failure = failure(time, e);
-        closeFailed(connected);
+        closeFailed(carrier);
         throw failure;
       }
     }
   }
 
   /**
-   * Goes on, as the server, with a connection that was taken.
+   * Goes on, as a robot, with a connection that was taken.
    *
    * @param limit of real time for the whole handshake
    * @throws HandshakeException the socket is closed then
    */
   public LinkSocket accept(Socket accepted, PeerVerifier verifier, Duration limit)
+      throws IOException {
+    return accept(accepted, verifier, limit, PAIRING, LINK);
+  }
+
+  /** The same of a gateway. */
+  public LinkSocket acceptGateway(Socket accepted, PeerVerifier verifier, Duration limit)
+      throws IOException {
+    return accept(accepted, verifier, limit, GATEWAY);
+  }
+
+  private LinkSocket accept(
+      Socket accepted, PeerVerifier verifier, Duration limit, String... protocols)
       throws IOException {
     try (TimeLimit time = new TimeLimit(accepted, limit)) {
       try {
@@ -106,10 +129,10 @@ public final class LinkTls {
                     .createSocket(accepted, new ByteArrayInputStream(read), false);
         tls.setUseClientMode(false);
         tls.setNeedClientAuth(true);
-        return handshake(accepted, tls, PAIRING, LINK);
+        return handshake(accepted, tls, protocols);
       } catch (IOException e) {
         HandshakeException failure = failure(time, e);
-        closeFailed(accepted);
+        closeFailed(LinkSocket.plain(accepted));
         throw failure;
       }
     }
@@ -188,11 +211,11 @@ public final class LinkTls {
    * that still writes while the socket is closed would lose the alert, and see only a broken
    * connection.
    */
-  private static void closeFailed(Socket failed) {
+  private static void closeFailed(LinkSocket failed) {
     try (failed;
-        TimeLimit _ = new TimeLimit(failed, LONGEST_FAREWELL)) {
-      failed.shutdownOutput();
-      failed.getInputStream().readNBytes(MAX_UNREAD_BYTES);
+        TimeLimit _ = failed.startTimeLimit(LONGEST_FAREWELL)) {
+      failed.endOutput();
+      failed.in().readNBytes(MAX_UNREAD_BYTES);
     } catch (IOException e) {
       log.debug("A connection that failed ended.", e);
     }

@@ -36,7 +36,8 @@ public record RobotJson(
     boolean held,
     @Nullable String charger,
     @Nullable String fingerprint,
-    @Nullable Sentence alert) {
+    @Nullable Sentence alert,
+    @Nullable String gateway) {
 
   public static RobotJson of(RobotView view) {
     RobotRecord stored = view.record();
@@ -66,6 +67,7 @@ public record RobotJson(
         work.held(),
         work.charger(),
         Objects.toString(stored.fingerprint(), null),
-        view.alert());
+        view.alert(),
+        stored.gateway());
   }
 }

@@ -189,6 +189,14 @@ public final class InputRules {
     return given.intValue();
   }
 
+  /** The gateway that reaches a robot; null where none does. */
+  public @Nullable String gateway(String field, @Nullable String given) {
+    if (given != null && !ROBOT_NAME.matcher(given).matches()) {
+      refuse(field, "error.gateway");
+    }
+    return given;
+  }
+
   /** The code that a robot shows; null where none is given. */
   public @Nullable PairingCode pairingCode(String field, @Nullable String given) {
     if (given == null) {

@@ -23,7 +23,8 @@ public final class RobotOrderReader {
             rules.port("port", fields.number("port")),
             rules.load("maxLoad", fields.number("maxLoad")),
             fields.text("parking"),
-            rules.pairingCode("code", fields.text("code")));
+            rules.pairingCode("code", fields.text("code")),
+            rules.gateway("gateway", fields.text("gateway")));
     fields.refuseUnknown();
     return order;
   }
@@ -35,7 +36,8 @@ public final class RobotOrderReader {
             rules.host("host", fields.text("host")),
             rules.port("port", fields.number("port")),
             rules.load("maxLoad", fields.number("maxLoad")),
-            fields.text("parking"));
+            fields.text("parking"),
+            rules.gateway("gateway", fields.text("gateway")));
     fields.refuseUnknown();
     return change;
   }

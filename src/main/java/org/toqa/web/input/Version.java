@@ -23,7 +23,7 @@ public record Version(String text) {
 
   public static Version of(RobotView robot) {
     RobotRecord stored = robot.record();
-    return of(stored.host(), stored.port(), robot.maxLoad(), stored.parking());
+    return of(stored.host(), stored.port(), robot.maxLoad(), stored.parking(), stored.gateway());
   }
 
   /** Of all that is ordered of the task, not of its priority alone. */

@@ -170,6 +170,7 @@ public final class RobotPage extends PageHandler {
         .compareNumber("port", stored.port(), String.valueOf(stored.port()))
         .compareNumber("maxLoad", robot.maxLoad(), texts.get("common.kilograms", robot.maxLoad()))
         .compareText("parking", stored.parking(), texts.get("robot.parking.none"))
+        .compareText("gateway", stored.gateway(), texts.get("robot.gateway.none"))
         .differences();
   }
 
@@ -193,6 +194,7 @@ public final class RobotPage extends PageHandler {
           request.setAttribute("version", Version.of(r));
         });
     request.setAttribute("floors", services(request).fleet().floors());
+    request.setAttribute("gateways", services(request).fleet().gateways());
     request.setAttribute("trackHours", TRACK_HOURS);
     request.setAttribute(
         "keepsPlace",

@@ -44,5 +44,6 @@ public final class RobotsPage extends PageHandler {
   private static void addFleetAttributes(HttpServletRequest request) {
     request.setAttribute("robots", services(request).fleet().snapshots().latest().robots());
     request.setAttribute("floors", services(request).fleet().floors());
+    request.setAttribute("gateways", services(request).fleet().gateways());
   }
 }

@@ -137,6 +137,8 @@ class ConfigurationTest {
         "SPEED         | 1e9            | from 0.1 to 100",
         "SPEED         | fast           | from 0.1 to 100",
         "SPEED         | 2              | set simulate as well",
+        "GATEWAYS_TRUSTED | dock=9f86  | names of gateways with their fingerprints",
+        "GATEWAYS_PORT | 70000         | a whole number from 0 to 65535",
         "LOG_FORMAT    | xml            | text or json",
         "LOG_LEVEL     | loud           | ERROR, WARN, INFO, DEBUG, TRACE",
       })

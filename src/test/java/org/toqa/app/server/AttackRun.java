@@ -63,6 +63,8 @@ final class AttackRun implements AutoCloseable {
     settings.put(Setting.MAIL_SECURITY, "none");
     settings.put(Setting.MAIL_FROM, "toqa@example.org");
     settings.put(Setting.SITE, "https://toqa.example.org");
+    settings.put(Setting.GATEWAYS_TRUSTED, "dock=" + "0".repeat(64));
+    settings.put(Setting.GATEWAYS_PORT, "0");
     server = AttackedServer.start(data, settings);
     manager = server.signedIn(AttackedServer.MANAGER);
     csrf = manager.csrf();

@@ -107,7 +107,7 @@ class BusyFloorTest {
     JdbiFleetStore store = new JdbiFleetStore(database.jdbi());
     for (String robot : List.of("r1", "r2", "r3")) {
       store.saveRobot(
-          new RobotRecord(robot, "aisle", "127.0.0.1", robots.port(robot), 5, null, true, null));
+          RobotRecord.direct(robot, "aisle", "127.0.0.1", robots.port(robot), 5, null, true, null));
     }
     SimulatedLinks links =
         new SimulatedLinks(
@@ -249,8 +249,8 @@ class BusyFloorTest {
     }
 
     @Override
-    public PairingResult pair(String robot, String host, int port, PairingCode code) {
-      return links.pair(robot, host, port, code);
+    public PairingResult pair(RobotAddress robot, PairingCode code) {
+      return links.pair(robot, code);
     }
   }
 

@@ -96,7 +96,7 @@ final class FormCases {
             "robots",
             "/robots",
             Map.of("name", "Spare", "host", "127.0.0.1", "port", "9", "maxLoad", "5"),
-            refused("name", "host", "port", "maxLoad", "parking", "code")),
+            refused("name", "host", "port", "maxLoad", "parking", "code", "gateway")),
         FormCase.of(
                 "robots/Absent",
                 "/robots/{name}/pair",
@@ -113,7 +113,9 @@ final class FormCases {
             "robots/Absent",
             "/robots/{name}/change",
             Map.of("host", "127.0.0.4", "maxLoad", "57"),
-            and(refused("host", "port", "maxLoad", "parking"), Map.of("version", CONFLICT))),
+            and(
+                refused("host", "port", "maxLoad", "parking", "gateway"),
+                Map.of("version", CONFLICT))),
         FormCase.of(
             "users",
             "/users",

@@ -69,13 +69,18 @@ final class OrderCases {
         post(
             "robots",
             "{'name':'Spare{n}','host':'127.0.0.1','port':9,'maxLoad':5}",
-            Map.of("/name", REFUSED, "/host", REFUSED, "/parking", REFUSED, "/code", REFUSED),
+            Map.of(
+                "/name", REFUSED,
+                "/host", REFUSED,
+                "/parking", REFUSED,
+                "/code", REFUSED,
+                "/gateway", REFUSED),
             201),
         new OrderCase(
             "PUT",
             "robots/{name}",
             json("{'host':'127.0.0.2','port':9,'maxLoad':56,'parking':null}"),
-            Map.of("/host", REFUSED, "/parking", REFUSED),
+            Map.of("/host", REFUSED, "/parking", REFUSED, "/gateway", REFUSED),
             200),
         post(
             "robots/{name}/pair",

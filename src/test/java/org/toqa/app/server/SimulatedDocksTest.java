@@ -84,7 +84,8 @@ class SimulatedDocksTest {
     for (String robot : List.of("r1", "r2")) {
       String parking = robot.equals("r1") ? "P1" : null;
       store.saveRobot(
-          new RobotRecord(robot, "hall", "127.0.0.1", robots.port(robot), 5, parking, true, null));
+          RobotRecord.direct(
+              robot, "hall", "127.0.0.1", robots.port(robot), 5, parking, true, null));
     }
     fleet =
         new AgentFleet(

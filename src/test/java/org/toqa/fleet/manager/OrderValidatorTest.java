@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertInstanceOf;
 import java.time.Instant;
 import java.util.BitSet;
 import java.util.List;
+import java.util.Set;
 import org.junit.jupiter.api.Test;
 import org.toqa.fleet.Answer;
 import org.toqa.fleet.TaskOrder;
@@ -38,7 +39,7 @@ class OrderValidatorTest {
             0,
             null,
             null);
-    return new OrderValidator(List.of(floor), new PathQuery(Runnable::run))
+    return new OrderValidator(List.of(floor), Set.of(), new PathQuery(Runnable::run))
         .checkTask(
             order,
             "clerk",

@@ -55,7 +55,7 @@ class ApiHistoryTest extends ApiTestServer {
         .fleet()
         .changeRobots(
             none -> List.of(Hall.robot("r1", RobotState.IDLE, new Pose(1, 1, 0), "h", 7275)));
-    server.store().saveRobot(new RobotRecord("r1", "hall", "h", 7275, 5, null, false, null));
+    server.store().saveRobot(RobotRecord.direct("r1", "hall", "h", 7275, 5, null, false, null));
     Instant now = server.fleet().latest().at();
     server
         .tracks()
@@ -73,7 +73,7 @@ class ApiHistoryTest extends ApiTestServer {
 
   @Test
   void aFloorHasTheTracksOfItsRobots() {
-    server.store().saveRobot(new RobotRecord("r1", "hall", "h", 7275, 5, null, false, null));
+    server.store().saveRobot(RobotRecord.direct("r1", "hall", "h", 7275, 5, null, false, null));
     Instant at = Instant.parse("2026-11-21T08:00:00Z");
     server
         .tracks()
@@ -134,7 +134,7 @@ class ApiHistoryTest extends ApiTestServer {
                     .map(name -> Hall.robot(name, RobotState.IDLE, new Pose(1, 1, 0), "h", 7275))
                     .toList());
     for (String name : names) {
-      server.store().saveRobot(new RobotRecord(name, "hall", "h", 7275, 5, null, false, null));
+      server.store().saveRobot(RobotRecord.direct(name, "hall", "h", 7275, 5, null, false, null));
     }
     server
         .tracks()

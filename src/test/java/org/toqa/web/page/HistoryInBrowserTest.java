@@ -171,7 +171,7 @@ class HistoryInBrowserTest extends PagesInBrowser {
     Object empty = canvas();
     server
         .store()
-        .saveRobot(new RobotRecord("r1", "hall", "127.0.0.1", 7275, 5, null, false, null));
+        .saveRobot(RobotRecord.direct("r1", "hall", "127.0.0.1", 7275, 5, null, false, null));
     server
         .tracks()
         .add(

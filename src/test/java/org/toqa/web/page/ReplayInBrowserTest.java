@@ -45,7 +45,7 @@ class ReplayInBrowserTest extends PagesInBrowser {
     for (String robot : List.of("r1", "r2")) {
       server
           .store()
-          .saveRobot(new RobotRecord(robot, "hall", "127.0.0.1", 7275, 5, null, false, null));
+          .saveRobot(RobotRecord.direct(robot, "hall", "127.0.0.1", 7275, 5, null, false, null));
     }
     Instant end = server.fleet().latest().at().minusSeconds(75); // what is younger is not shown
     server

@@ -9,6 +9,7 @@ import org.slf4j.LoggerFactory;
 import org.toqa.link.trust.HandshakeException;
 import org.toqa.link.trust.LinkSocket;
 import org.toqa.link.trust.LinkTls;
+import org.toqa.link.trust.PendingConnections;
 
 /**
  * Accepts peers that have shown a certificate which {@link PeerPolicy} trusts. Each connection has
@@ -19,12 +20,14 @@ final class TlsConnectionAcceptor implements ConnectionAcceptor {
   private static final Logger log = LoggerFactory.getLogger(TlsConnectionAcceptor.class);
   private static final Duration LIMIT = Duration.ofSeconds(5);
 
+  private static final int MAX_PENDING = 16;
+
   private final LinkTls tls;
   private final PeerPolicy policy;
   private final PairingHandler pairing;
   private final RejectedConnections rejected;
   private final Consumer<LinkSocket> onAccepted;
-  private final PendingConnections pending = new PendingConnections();
+  private final PendingConnections pending = new PendingConnections(MAX_PENDING);
 
   TlsConnectionAcceptor(
       LinkTls tls,

@@ -1,4 +1,4 @@
-package org.toqa.link;
+package org.toqa.link.channel;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 

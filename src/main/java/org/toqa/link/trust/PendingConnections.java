@@ -1,4 +1,4 @@
-package org.toqa.agent.access;
+package org.toqa.link.trust;
 
 import java.net.InetAddress;
 import java.net.Socket;
@@ -15,17 +15,24 @@ import java.util.stream.Collectors;
  * that has the most of them loses its oldest, so that one address with many does not block the
  * others.
  */
-final class PendingConnections {
+public final class PendingConnections {
 
-  static final int MAX_PENDING = 16;
+  private final int limit;
 
   /** Oldest first. */
   private final List<Socket> pending = new ArrayList<>();
 
+  /**
+   * @param limit how many there may be at once, 1 or more
+   */
+  public PendingConnections(int limit) {
+    this.limit = limit;
+  }
+
   /** Adds a connection; the one that is dropped for it, if there were too many. */
-  synchronized Optional<Socket> add(Socket newcomer) {
+  public synchronized Optional<Socket> add(Socket newcomer) {
     pending.add(newcomer);
-    if (pending.size() <= MAX_PENDING) {
+    if (pending.size() <= limit) {
       return Optional.empty();
     }
     InetAddress address = mostFrequentAddress();
@@ -35,11 +42,11 @@ final class PendingConnections {
     return oldest;
   }
 
-  synchronized void remove(Socket socket) {
+  public synchronized void remove(Socket socket) {
     pending.remove(socket);
   }
 
-  synchronized List<Socket> all() {
+  public synchronized List<Socket> all() {
     return List.copyOf(pending);
   }
 
