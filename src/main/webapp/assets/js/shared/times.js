@@ -6,11 +6,21 @@ const format = new Intl.DateTimeFormat(locale, {
   timeStyle: 'short',
 });
 
+/** Of reports, which come several times a second. */
+const exact = new Intl.DateTimeFormat(locale, {dateStyle: 'medium', timeStyle: 'medium'});
+
 export function showTimes(within = document) {
   for (const time of within.querySelectorAll('time[datetime]')) {
-    time.textContent = format.format(new Date(time.dateTime));
-    time.title = time.dateTime;
+    showTime(time);
   }
+}
+
+export function showTime(time) {
+  const text = ('lastSeen' in time.dataset ? exact : format).format(new Date(time.dateTime));
+  if (time.textContent !== text) {
+    time.textContent = text;
+  }
+  time.title = time.dateTime;
 }
 
 showTimes();

@@ -109,7 +109,7 @@ final class SimulatedLinks implements RobotLinkFactory, Participant {
     }
 
     @Override
-    public void disconnected(String why) {
+    public void disconnected(Sentence why) {
       setHeard(false);
       listener.disconnected(why);
     }
