@@ -7,7 +7,7 @@ const format = new Intl.DateTimeFormat(locale, {
 });
 
 /** Of reports, which come several times a second. */
-const exact = new Intl.DateTimeFormat(locale, {dateStyle: 'medium', timeStyle: 'medium'});
+const today = new Intl.DateTimeFormat(locale, {timeStyle: 'medium'});
 
 export function showTimes(within = document) {
   for (const time of within.querySelectorAll('time[datetime]')) {
@@ -16,7 +16,9 @@ export function showTimes(within = document) {
 }
 
 export function showTime(time) {
-  const text = ('lastSeen' in time.dataset ? exact : format).format(new Date(time.dateTime));
+  const at = new Date(time.dateTime);
+  const isShort = 'lastSeen' in time.dataset && at.toDateString() === new Date().toDateString();
+  const text = (isShort ? today : format).format(at);
   if (time.textContent !== text) {
     time.textContent = text;
   }
