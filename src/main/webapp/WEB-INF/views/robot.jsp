@@ -16,6 +16,7 @@
       <t:state of="robot" state="${robot.state}"/>
     </div>
     <c:forEach items="${robot.telemetry.errors}" var="fault"><p class="notice bad"><t:fault fault="${fault}"/>${" "}<small>(<bdi dir="ltr"><c:out value="${fault.code}"/></bdi>)</small></p></c:forEach>
+    <c:if test="${not empty robot.unreachable and robot.unreachable != robot.alert}"><p class="notice bad"><t:said sentence="${robot.unreachable}"/></p></c:if>
     <c:if test="${not empty robot.alert}"><p class="notice bad" role="alert"><t:said sentence="${robot.alert}"/></p></c:if>
     <article>
       <dl>
@@ -24,21 +25,16 @@
         <dd><c:choose><c:when test="${empty robot.work.task}"><span class="faint"><fmt:message key="common.none"/></span></c:when><c:otherwise><a href="${root}/tasks/${robot.work.task}"><fmt:message key="task.title"><fmt:param value="${robot.work.task}"/></fmt:message></a></c:otherwise></c:choose></dd>
         <dt><fmt:message key="robot.phase"/></dt><dd><fmt:message key="robot.phase.${robot.work.phase.number()}"/></dd>
         <dt><fmt:message key="robot.position"/></dt>
-        <dd>
-          <c:choose>
-            <c:when test="${empty robot.telemetry.pose}"><span class="faint"><fmt:message key="robot.position.unknown"/></span></c:when>
-            <c:otherwise>
-              <fmt:formatNumber value="${robot.telemetry.pose.x}" minFractionDigits="2" maxFractionDigits="2" var="x"/>
-              <fmt:formatNumber value="${robot.telemetry.pose.y}" minFractionDigits="2" maxFractionDigits="2" var="y"/>
-              <fmt:formatNumber value="${robot.telemetry.pose.theta * 57.29577951308232}" maxFractionDigits="0" var="heading"/>
-              <span data-live-pose><fmt:message key="common.position"><fmt:param value="${x}"/><fmt:param value="${y}"/></fmt:message><fmt:message key="common.comma"/><fmt:message key="robot.heading.degrees"><fmt:param value="${heading}"/></fmt:message></span>
-            </c:otherwise>
-          </c:choose>
-        </dd>
+        <dd><t:pose pose="${robot.telemetry.pose}"/></dd>
+        <dt><fmt:message key="robot.actualSpeed"/></dt><dd><t:actual-speed readings="${robot.telemetry.readings()}"/></dd>
+        <c:if test="${not empty robot.telemetry.readings().placeError()}">
+          <fmt:formatNumber value="${robot.telemetry.readings().placeError()}" minFractionDigits="2" maxFractionDigits="2" var="placeError"/>
+          <dt><fmt:message key="robot.placeError"/></dt><dd><fmt:message key="common.metres"><fmt:param value="${placeError}"/></fmt:message></dd>
+        </c:if>
         <dt><fmt:message key="robot.battery"/></dt>
         <dd><c:choose><c:when test="${empty robot.telemetry.battery}"><span class="faint"><fmt:message key="robot.battery.unknown"/></span></c:when><c:otherwise><fmt:formatNumber value="${robot.telemetry.battery}" type="percent"/></c:otherwise></c:choose></dd>
         <c:if test="${not empty robot.work.charger}"><dt><fmt:message key="robot.charger"/></dt><dd><bdi><c:out value="${robot.work.charger}"/></bdi></dd></c:if>
-        <dt><fmt:message key="robot.maxLoad"/></dt><dd><fmt:message key="common.kilograms"><fmt:param value="${maxLoad}"/></fmt:message><c:if test="${robot.record.maxLoad > robot.maxLoad}"><fmt:formatNumber value="${robot.record.maxLoad}" maxFractionDigits="2" var="entered"/>${" "}<span class="faint"><fmt:message key="robot.maxLoad.entered"><fmt:param value="${entered}"/></fmt:message></span></c:if></dd>
+        <dt><fmt:message key="robot.maxLoad"/></dt><dd><fmt:message key="common.kilograms"><fmt:param value="${maxLoad}"/></fmt:message><c:if test="${not robot.isLoadKnown()}">${" "}<span class="faint"><fmt:message key="robot.maxLoad.unknown"/></span></c:if><c:if test="${robot.record.maxLoad > robot.maxLoad}"><fmt:formatNumber value="${robot.record.maxLoad}" maxFractionDigits="2" var="entered"/>${" "}<span class="faint"><fmt:message key="robot.maxLoad.entered"><fmt:param value="${entered}"/></fmt:message></span></c:if></dd>
         <dt><fmt:message key="robot.footprint"/></dt><dd><fmt:message key="common.metres"><fmt:param value="${footprint}"/></fmt:message></dd>
         <dt><fmt:message key="robot.speed"/></dt><dd><fmt:message key="common.metresPerSecond"><fmt:param value="${speed}"/></fmt:message></dd>
         <dt><fmt:message key="robot.floor"/></dt><dd><bdi><c:out value="${robot.floor}"/></bdi></dd>
@@ -48,11 +44,23 @@
         <dt><fmt:message key="robot.link"/></dt>
         <dd><c:choose><c:when test="${empty robot.record.fingerprint}"><fmt:message key="robot.link.plain"/></c:when><c:otherwise><fmt:message key="robot.link.paired"><fmt:param value="${fn:substring(robot.record.fingerprint, 0, 16)}"/></fmt:message></c:otherwise></c:choose></dd>
         <dt><fmt:message key="robot.lastSeen"/></dt>
-        <dd><c:choose><c:when test="${empty robot.telemetry.lastSeen}"><fmt:message key="robot.lastSeen.never"/></c:when><c:otherwise><t:time at="${robot.telemetry.lastSeen}"/></c:otherwise></c:choose></dd>
+        <dd><t:last-seen robot="${robot}"/></dd>
       </dl>
       <c:url value="/map" var="onMap"><c:param name="robot" value="${robot.name}"/></c:url>
       <a href="<c:out value="${onMap}"/>"><fmt:message key="task.onMap"/></a>
     </article>
+    <c:if test="${not empty ranges}">
+      <article class="card">
+        <h2><fmt:message key="robot.ranges"/></h2>
+        <fmt:message key="robot.ranges.label" var="rangesLabel"/>
+        <svg class="ranges" viewBox="-102 -102 204 126" role="img" aria-label="${rangesLabel}">
+          <c:forEach items="${ranges}" var="sector"><path d="${sector.path()}" class="${sector.isBlocked() ? 'blocked' : 'free'}"/></c:forEach>
+          <circle r="20"/>
+          <path d="M0,-16 L8,4 L-8,4 Z" class="heading"/>
+        </svg>
+        <p class="faint"><fmt:message key="robot.ranges.intro"/><bdi dir="ltr"><c:forEach items="${robot.telemetry.readings().ranges()}" var="range" varStatus="at">${at.first ? '' : ', '}<fmt:formatNumber value="${range}" minFractionDigits="2" maxFractionDigits="2"/></c:forEach></bdi></p>
+      </article>
+    </c:if>
   </div>
   <c:if test="${caller.isManager()}">
     <c:set var="stops" value="${robot.stops()}"/>
@@ -74,6 +82,20 @@
       </c:if>
     </article>
   </c:if>
+  <article class="card" id="battery" data-live="robot-battery" data-name="${fn:escapeXml(robot.name)}">
+    <h2><fmt:message key="robot.batteryLevels"><fmt:param value="${trackHours}"/></fmt:message></h2>
+    <c:choose>
+      <c:when test="${batteryPicture.isEmpty()}"><p class="faint"><fmt:message key="robot.batteryLevels.none"/></p></c:when>
+      <c:otherwise>
+        <fmt:message key="robot.batteryLevels.label" var="batteryLabel"/>
+        <svg class="levels" viewBox="-2 -6 404 112" preserveAspectRatio="none" role="img" aria-label="${batteryLabel}">
+          <path d="M0,0 H400 M0,50 H400 M0,100 H400"/>
+          <polyline points="${batteryPicture.points()}"/>
+        </svg>
+        <p class="faint"><fmt:message key="robot.batteryLevels.axes"><fmt:param value="${trackHours}"/></fmt:message></p>
+      </c:otherwise>
+    </c:choose>
+  </article>
   <article class="card">
     <h2><fmt:message key="robot.track"><fmt:param value="${trackHours}"/></fmt:message></h2>
     <fmt:message key="robot.track.label" var="trackLabel"/>

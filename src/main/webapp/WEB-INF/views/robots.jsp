@@ -22,9 +22,13 @@
             <th scope="col"><fmt:message key="robots.column.name"/></th>
             <th scope="col"><fmt:message key="robots.column.state"/></th>
             <th scope="col"><fmt:message key="robots.column.activity"/></th>
-            <th scope="col"><fmt:message key="robots.column.battery"/></th>
             <th scope="col"><fmt:message key="robots.column.task"/></th>
+            <th scope="col"><fmt:message key="robot.position"/></th>
+            <th scope="col"><fmt:message key="robot.actualSpeed"/></th>
+            <th scope="col"><fmt:message key="robots.column.battery"/></th>
             <th scope="col"><fmt:message key="robots.column.maxLoad"/></th>
+            <th scope="col"><fmt:message key="robot.address"/></th>
+            <th scope="col"><fmt:message key="robot.lastSeen"/></th>
           </tr>
         </thead>
         <tbody>
@@ -35,9 +39,13 @@
               <th scope="row"><a href="<c:out value="${link}"/>"><bdi><c:out value="${robot.name}"/></bdi></a></th>
               <td><t:state of="robot" state="${robot.state}"/></td>
               <td class="whole"><t:said sentence="${robot.work.doing}"/></td>
+              <td data-label="<fmt:message key="robots.column.task"/>"><c:choose><c:when test="${empty robot.work.task}"><span class="faint"><fmt:message key="common.none"/></span></c:when><c:otherwise><span><a href="${root}/tasks/${robot.work.task}"><fmt:message key="task.title"><fmt:param value="${robot.work.task}"/></fmt:message></a><br><small><fmt:message key="robot.phase.${robot.work.phase.number()}"/></small></span></c:otherwise></c:choose></td>
+              <td data-label="<fmt:message key="robot.position"/>"><t:pose pose="${robot.telemetry.pose}"/></td>
+              <td data-label="<fmt:message key="robot.actualSpeed"/>"><span><t:actual-speed readings="${robot.telemetry.readings()}"/></span></td>
               <td class="number" data-label="<fmt:message key="robots.column.battery"/>"><c:choose><c:when test="${empty robot.telemetry.battery}"><span class="faint"><fmt:message key="robot.battery.unknown"/></span></c:when><c:otherwise><fmt:formatNumber value="${robot.telemetry.battery}" type="percent"/></c:otherwise></c:choose></td>
-              <td data-label="<fmt:message key="robots.column.task"/>"><c:choose><c:when test="${empty robot.work.task}"><span class="faint"><fmt:message key="common.none"/></span></c:when><c:otherwise><a href="${root}/tasks/${robot.work.task}"><fmt:message key="task.title"><fmt:param value="${robot.work.task}"/></fmt:message></a></c:otherwise></c:choose></td>
               <td class="number" data-label="<fmt:message key="robots.column.maxLoad"/>"><fmt:message key="common.kilograms"><fmt:param value="${maxLoad}"/></fmt:message></td>
+              <td data-label="<fmt:message key="robot.address"/>"><bdi dir="ltr"><c:out value="${robot.record.host}"/>:${robot.record.port}</bdi></td>
+              <td data-label="<fmt:message key="robot.lastSeen"/>"><t:last-seen robot="${robot}"/></td>
             </tr>
           </c:forEach>
         </tbody>

@@ -99,6 +99,11 @@ public interface FleetStore {
    */
   void savePlace(String robot, Pose pose, double diameter, long drive);
 
+  /**
+   * @param kilograms that the robot says it carries
+   */
+  void saveToldLoad(String robot, double kilograms);
+
   void saveHold(String robot, boolean held, List<EventRecord> events);
 
   void saveCharge(ChargeRecord record, List<EventRecord> events);

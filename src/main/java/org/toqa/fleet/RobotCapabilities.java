@@ -7,15 +7,26 @@ import org.toqa.motion.DriveSpeeds;
  *
  * @param footprint diameter, metres
  * @param maxLoad kilograms that it says it carries
+ * @param sensorRange metres that its range sensors see
  */
-public record RobotCapabilities(double footprint, DriveSpeeds speeds, double maxLoad) {
+public record RobotCapabilities(
+    double footprint, DriveSpeeds speeds, double maxLoad, double sensorRange) {
 
   /** Assumed of a robot that was never heard of: the smallest diameter of ours, any load. */
   public static final RobotCapabilities UNKNOWN =
-      new RobotCapabilities(0.255, DriveSpeeds.DEFAULT, Double.MAX_VALUE);
+      new RobotCapabilities(0.255, DriveSpeeds.DEFAULT, Double.MAX_VALUE, 0.8);
 
   public RobotCapabilities withFootprint(double diameter) {
-    return new RobotCapabilities(diameter, speeds, maxLoad);
+    return new RobotCapabilities(diameter, speeds, maxLoad, sensorRange);
+  }
+
+  public RobotCapabilities withMaxLoad(double kilograms) {
+    return new RobotCapabilities(footprint, speeds, kilograms, sensorRange);
+  }
+
+  /** Whether the robot has ever said what it carries: whether it was ever connected. */
+  public boolean isLoadKnown() {
+    return maxLoad < Double.MAX_VALUE;
   }
 
   /** Kilograms that the robot may carry: no more than it says, and than a person entered. */

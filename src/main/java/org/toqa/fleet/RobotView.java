@@ -5,6 +5,7 @@ import java.util.List;
 import org.jspecify.annotations.Nullable;
 import org.toqa.geometry.Pose;
 import org.toqa.geometry.Vec2;
+import org.toqa.link.message.AgentMessage;
 import org.toqa.link.message.AgentMessage.Fault;
 import org.toqa.mission.Phase;
 import org.toqa.traffic.floor.RemainingPath;
@@ -17,6 +18,8 @@ import org.toqa.wording.Sentence;
  * @param path the rest of its path; {@link RemainingPath#NONE} when it is stopped
  * @param alert why a person must look at it beside its errors: it and the server do not trust each
  *     other, or it cannot reach a charging point; null: nothing is wrong
+ * @param unreachable why it is not connected, and what to do; null: it is, or has not been tried
+ *     yet
  */
 public record RobotView(
     RobotRecord record,
@@ -25,7 +28,11 @@ public record RobotView(
     Work work,
     Telemetry telemetry,
     RemainingPath path,
-    @Nullable Sentence alert) {
+    @Nullable Sentence alert,
+    @Nullable Sentence unreachable) {
+
+  /** So many range sensors are shown at most. */
+  private static final int MOST_RANGES = 16;
 
   /**
    * What a robot does, and for which task.
@@ -49,6 +56,7 @@ public record RobotView(
   public record Telemetry(
       @Nullable Pose pose,
       @Nullable Double battery,
+      Readings readings,
       List<Fault> errors,
       @Nullable Instant lastSeen) {
 
@@ -57,11 +65,46 @@ public record RobotView(
     }
 
     public Telemetry withBattery(double changed) {
-      return new Telemetry(pose, changed, errors, lastSeen);
+      return new Telemetry(pose, changed, readings, errors, lastSeen);
     }
 
     public Telemetry withErrors(List<Fault> changed) {
-      return new Telemetry(pose, battery, changed, lastSeen);
+      return new Telemetry(pose, battery, readings, changed, lastSeen);
+    }
+  }
+
+  /**
+   * What changes all the time, rounded to what a person can read: hundredths.
+   *
+   * @param speed metres a second, forward; null: not known
+   * @param turnRate radians a second, counter-clockwise; null: not known
+   * @param ranges metres, of its range sensors from right to left; empty: it has none, or they are
+   *     not known
+   * @param placeError metres off its place beside its leader; null: it does not follow
+   */
+  public record Readings(
+      @Nullable Double speed,
+      @Nullable Double turnRate,
+      List<Double> ranges,
+      @Nullable Double placeError) {
+
+    public static final Readings NONE = new Readings(null, null, List.of(), null);
+
+    public Readings {
+      ranges = List.copyOf(ranges);
+    }
+
+    public static Readings of(AgentMessage.State state) {
+      Double error = state.placeError();
+      return new Readings(
+          rounded(state.twist().v()),
+          rounded(state.twist().w()),
+          state.ranges().stream().limit(MOST_RANGES).map(Readings::rounded).toList(),
+          error == null ? null : rounded(error));
+    }
+
+    private static double rounded(double value) {
+      return Math.round(100 * value) / 100.0;
     }
   }
 
@@ -93,32 +136,41 @@ public record RobotView(
     return path.released();
   }
 
+  /** Whether it is known what it can carry: it was connected once, or is the server's own. */
+  public boolean isLoadKnown() {
+    return record.simulated() || capabilities.isLoadKnown();
+  }
+
   /** Kilograms that it may carry. */
   public double maxLoad() {
     return capabilities.allowedLoad(record);
   }
 
   public RobotView withRecord(RobotRecord changed) {
-    return new RobotView(changed, capabilities, state, work, telemetry, path, alert);
+    return new RobotView(changed, capabilities, state, work, telemetry, path, alert, unreachable);
   }
 
   public RobotView withCapabilities(RobotCapabilities changed) {
-    return new RobotView(record, changed, state, work, telemetry, path, alert);
+    return new RobotView(record, changed, state, work, telemetry, path, alert, unreachable);
   }
 
   public RobotView withWork(Work changed) {
-    return new RobotView(record, capabilities, state, changed, telemetry, path, alert);
+    return new RobotView(record, capabilities, state, changed, telemetry, path, alert, unreachable);
   }
 
   public RobotView withTelemetry(Telemetry changed) {
-    return new RobotView(record, capabilities, state, work, changed, path, alert);
+    return new RobotView(record, capabilities, state, work, changed, path, alert, unreachable);
   }
 
   public RobotView withPath(RemainingPath changed) {
-    return new RobotView(record, capabilities, state, work, telemetry, changed, alert);
+    return new RobotView(record, capabilities, state, work, telemetry, changed, alert, unreachable);
+  }
+
+  public RobotView withUnreachable(@Nullable Sentence changed) {
+    return new RobotView(record, capabilities, state, work, telemetry, path, alert, changed);
   }
 
   public RobotView withAlert(@Nullable Sentence changed) {
-    return new RobotView(record, capabilities, state, work, telemetry, path, changed);
+    return new RobotView(record, capabilities, state, work, telemetry, path, changed, unreachable);
   }
 }

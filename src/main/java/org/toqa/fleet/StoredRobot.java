@@ -7,6 +7,7 @@ import org.jspecify.annotations.Nullable;
  *
  * @param outOfService whether a person has taken it out of service
  * @param held whether a person has put it on hold
+ * @param toldLoad kilograms that it said it carries; null: it was never connected
  * @param place null where nothing is known of it, or a person said that it is not there any more
  */
 public record StoredRobot(
@@ -14,6 +15,7 @@ public record StoredRobot(
     boolean outOfService,
     boolean held,
     ChargeRecord charge,
+    @Nullable Double toldLoad,
     @Nullable LastPlace place) {
 
   public String name() {

@@ -9,13 +9,6 @@ final class LinkException extends Exception {
   private final transient Sentence sentence;
   private final boolean trustFailure;
 
-  /**
-   * @param message for the log alone
-   */
-  LinkException(String message) {
-    this(Sentence.verbatim(message));
-  }
-
   LinkException(Sentence sentence) {
     this(sentence, false);
   }

@@ -89,13 +89,11 @@ final class RobotConnection implements AutoCloseable {
   Hello readHello() throws LinkException {
     AgentMessage first = readFirstMessage();
     if (!(first instanceof Hello hello)) {
-      throw new LinkException(
-          "What answers at %s is not %s: it did not say hello.".formatted(hostAndPort, robot));
+      throw new LinkException(Phrase.SAYS_NO_HELLO.with(hostAndPort, robot));
     }
     if (hello.version() != AgentMessage.VERSION) {
       throw new LinkException(
-          "%s speaks version %d of the robot link, this server version %d; update the older one."
-              .formatted(robot, hello.version(), AgentMessage.VERSION));
+          Phrase.SPEAKS_ANOTHER_VERSION.with(robot, hello.version(), AgentMessage.VERSION));
     }
     if (!hello.robot().equals(robot)) {
       throw LinkException.trustFailure(Phrase.HAS_ANOTHER_NAME.with(hostAndPort, robot));
@@ -148,8 +146,7 @@ final class RobotConnection implements AutoCloseable {
         }
       }
     } catch (SocketTimeoutException e) {
-      throw new LinkException(
-          "%s has said nothing for %d s.".formatted(robot, SILENCE_TIMEOUT.toSeconds()));
+      throw new LinkException(Phrase.HAS_FALLEN_SILENT.with(robot, SILENCE_TIMEOUT.toSeconds()));
     } catch (IOException e) {
       throw failure(e);
     }
@@ -159,7 +156,7 @@ final class RobotConnection implements AutoCloseable {
     LineReader.Line line = ahead == null ? channel.readLine() : ahead;
     ahead = null;
     if (line == null) {
-      throw new LinkException("%s closed the connection.".formatted(robot));
+      throw new LinkException(Phrase.CLOSED_THE_CONNECTION.with(robot));
     }
     return line;
   }
@@ -180,15 +177,15 @@ final class RobotConnection implements AutoCloseable {
 
   private LinkException failure(IOException e) {
     if (channel.hasOverflowed()) {
-      return new LinkException("%s does not take what it is told.".formatted(robot));
+      return new LinkException(Phrase.TAKES_NO_COMMANDS.with(robot));
     }
     if (channel.peer() != null) { // with TLS 1.3 the robot's refusal comes with the first read
       Reason reason = LinkTls.reasonOf(e);
       return reason == Reason.CUT_OFF
-          ? new LinkException("%s closed the connection.".formatted(robot))
+          ? new LinkException(Phrase.CLOSED_THE_CONNECTION.with(robot))
           : RobotConnector.trustFailure(address, reason, e);
     }
-    return new LinkException("The connection to %s broke: %s.".formatted(robot, e.getMessage()));
+    return new LinkException(Phrase.CONNECTION_BROKE.with(robot, String.valueOf(e.getMessage())));
   }
 
   void send(ServerMessage message) {

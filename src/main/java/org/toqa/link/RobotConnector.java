@@ -1,6 +1,7 @@
 package org.toqa.link;
 
 import java.io.IOException;
+import java.net.ConnectException;
 import java.net.InetAddress;
 import java.net.InetSocketAddress;
 import java.net.Socket;
@@ -141,7 +142,7 @@ final class RobotConnector {
       case NOT_TLS -> LinkException.trustFailure(Phrase.DOES_NOT_ENCRYPT.with(to.place(), robot));
       case FAILED ->
           LinkException.trustFailure(Phrase.NO_TLS.with(robot, String.valueOf(e.getMessage())));
-      case CUT_OFF -> new LinkException("The connection to %s was cut off.".formatted(robot));
+      case CUT_OFF -> new LinkException(Phrase.CLOSED_THE_CONNECTION.with(robot));
       case TIMED_OUT -> new LinkException(Phrase.DOES_NOT_ANSWER.with(robot, to.place()));
     };
   }
@@ -150,9 +151,16 @@ final class RobotConnector {
     return switch (e) {
       case UnknownHostException _ -> new LinkException(Phrase.HOST_NOT_KNOWN.with(robot, place));
       case SocketTimeoutException _ -> new LinkException(Phrase.DOES_NOT_ANSWER.with(robot, place));
+      case ConnectException _ when isRefused(e) ->
+          new LinkException(Phrase.NOBODY_LISTENS.with(robot, place));
       default ->
           new LinkException(
               Phrase.CANNOT_BE_REACHED.with(robot, place, String.valueOf(e.getMessage())));
     };
+  }
+
+  /** The host is there and says no; of a host that is not there Java throws the same. */
+  private static boolean isRefused(IOException e) {
+    return String.valueOf(e.getMessage()).contains("refused");
   }
 }

@@ -80,9 +80,13 @@ final class RobotFigures {
     if (Math.max(Math.abs(state.twist().v()), Math.abs(state.twist().w())) > MAX_SPEED) {
       return Optional.of("The twist of the state is faster than any robot.");
     }
-    return state.ranges().stream().allMatch(range -> range >= 0)
+    if (!state.ranges().stream().allMatch(range -> range >= 0)) {
+      return Optional.of("A range of the state is less than 0.");
+    }
+    Double placeError = state.placeError();
+    return placeError == null || placeError >= 0
         ? Optional.empty()
-        : Optional.of("A range of the state is less than 0.");
+        : Optional.of("The placeError of the state is less than 0.");
   }
 
   private static String farAway(String what, String message) {

@@ -45,15 +45,15 @@ public interface RobotLink extends AutoCloseable {
     void passedOver(int states, int unreadable);
 
     /**
-     * @param why for the log
+     * @param why and what to do
      */
-    void disconnected(String why);
+    void disconnected(Sentence why);
 
     /**
      * The same, and one end does not trust the other: a person must look into it.
      *
-     * @param sentence what is wrong and what to do
+     * @param why and what to do
      */
-    void refused(Sentence sentence);
+    void refused(Sentence why);
   }
 }

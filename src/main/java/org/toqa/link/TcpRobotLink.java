@@ -92,7 +92,7 @@ final class TcpRobotLink implements RobotLink {
     if (isTrustFailure) {
       listener.refused(sentence);
     } else {
-      listener.disconnected(sentence.english());
+      listener.disconnected(sentence);
     }
   }
 

@@ -36,18 +36,21 @@ public final class HistoryPruner {
   }
 
   /**
-   * How many points were removed that are older than this.
+   * How many points were removed that are older than this; batteries' levels go too.
    *
    * @throws StoreException when the database does not answer
    */
   public long pruneTracks(Instant before) {
-    return deleteInBatches(
-        () ->
-            sql.withHandle(
-                h ->
-                    h.createUpdate("delete from tracks where at < :before limit " + BATCH_SIZE)
-                        .bind("before", before.toEpochMilli())
-                        .execute()));
+    deleteInBatches(() -> deleteOlderRows("battery_levels", before));
+    return deleteInBatches(() -> deleteOlderRows("tracks", before));
+  }
+
+  private int deleteOlderRows(String table, Instant before) {
+    return sql.withHandle(
+        h ->
+            h.createUpdate("delete from " + table + " where at < :before limit " + BATCH_SIZE)
+                .bind("before", before.toEpochMilli())
+                .execute());
   }
 
   /**

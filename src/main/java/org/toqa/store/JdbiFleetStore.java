@@ -90,6 +90,11 @@ public final class JdbiFleetStore implements FleetStore, TaskArchive {
   }
 
   @Override
+  public void saveToldLoad(String robot, double kilograms) {
+    sql.inTransaction(h -> RobotTable.saveToldLoad(h, robot, kilograms));
+  }
+
+  @Override
   public void savePlace(String robot, Pose pose, double diameter, long drive) {
     sql.inTransaction(h -> RobotTable.savePlace(h, robot, pose, diameter, drive));
   }

@@ -11,6 +11,7 @@ import java.util.stream.Collectors;
 import org.jdbi.v3.core.Handle;
 import org.jdbi.v3.core.Jdbi;
 import org.jdbi.v3.core.statement.PreparedBatch;
+import org.toqa.fleet.history.BatteryLevel;
 import org.toqa.fleet.history.FloorTracks;
 import org.toqa.fleet.history.TrackPoint;
 import org.toqa.fleet.history.TrackStore;
@@ -19,6 +20,7 @@ import org.toqa.geometry.Vec2;
 /** Tracks on H2 and on MySQL: 24 bytes a point, and what the database adds to a row. */
 public final class JdbiTrackStore implements TrackStore {
   private static final double MILLIMETRES = 1000;
+  private static final double PERCENT = 100;
 
   private final SqlExecutor sql;
 
@@ -56,6 +58,50 @@ public final class JdbiTrackStore implements TrackStore {
           }
           return batch.execute();
         });
+  }
+
+  @Override
+  public void addBatteryLevels(List<BatteryLevel> levels) {
+    sql.inTransaction(
+        h -> {
+          PreparedBatch batch =
+              h.prepareBatch(
+                  """
+                  insert ignore into battery_levels (robot_id, at, percent)
+                  select id, :at, :percent from robots where name = :robot
+                  """);
+          for (BatteryLevel level : levels) {
+            batch
+                .bind("robot", level.robot())
+                .bind("at", level.at().toEpochMilli())
+                .bind("percent", Math.round(level.level() * PERCENT))
+                .add();
+          }
+          return batch.execute();
+        });
+  }
+
+  @Override
+  public List<BatteryLevel> batteryLevels(String robot, Instant since) {
+    return sql.withHandle(
+        h ->
+            h.createQuery(
+                    """
+                    select b.at, b.percent from battery_levels b join robots r on r.id = b.robot_id
+                    where r.name = :robot and b.at >= coalesce(
+                      (select max(p.at) from battery_levels p
+                       where p.robot_id = r.id and p.at < :since), :since)
+                    order by b.at
+                    """)
+                .bind("robot", robot)
+                .bind("since", since.toEpochMilli())
+                .map(
+                    (rs, context) ->
+                        new BatteryLevel(
+                            robot,
+                            Instant.ofEpochMilli(rs.getLong("at")),
+                            rs.getInt("percent") / PERCENT))
+                .list());
   }
 
   @Override

@@ -29,7 +29,7 @@ final class RobotTable {
     return h.createQuery(
             """
             select name, floor, host, port, max_load, parking, simulated, fingerprint, gateway,
-              out_of_service, held, worked_s, charger, charger_since,
+              out_of_service, held, worked_s, charger, charger_since, told_load,
               p.x, p.y, p.theta, p.diameter,
               case when p.robot_id is null or d.seq > p.drive then d.way end as since_driven
             from robots r left join places p on p.robot_id = r.id
@@ -84,7 +84,7 @@ final class RobotTable {
     h.createUpdate(
             """
             update robots set removed = true, out_of_service = true, held = false,
-              parking = null, charger = null, charger_since = null, worked_s = 0
+              parking = null, told_load = null, charger = null, charger_since = null, worked_s = 0
             where id = :id
             """)
         .bind("id", id(h, robot))
@@ -103,6 +103,7 @@ final class RobotTable {
    * A robot with all that is stored of it.
    *
    * @param workedS seconds
+   * @param toldLoad kilograms; null: it was never connected
    * @param x null: nobody knows, or a person said that it is not there any more
    * @param sinceDriven null: nothing
    */
@@ -113,6 +114,7 @@ final class RobotTable {
       double workedS,
       @Nullable String charger,
       @Nullable Instant chargerSince,
+      @Nullable Double toldLoad,
       @Nullable Double x,
       @Nullable Double y,
       @Nullable Double theta,
@@ -122,7 +124,12 @@ final class RobotTable {
       Turn turn = charger == null || chargerSince == null ? null : new Turn(charger, chargerSince);
       Duration worked = Duration.ofMillis(Math.round(1000 * workedS));
       return new StoredRobot(
-          robot, outOfService, held, new ChargeRecord(robot.name(), worked, turn), place());
+          robot,
+          outOfService,
+          held,
+          new ChargeRecord(robot.name(), worked, turn),
+          toldLoad,
+          place());
     }
 
     private @Nullable LastPlace place() {
@@ -134,6 +141,13 @@ final class RobotTable {
           ? null
           : LastPlace.standing(new Pose(x, y, theta), width);
     }
+  }
+
+  static int saveToldLoad(Handle h, String robot, double kilograms) {
+    return h.createUpdate("update robots set told_load = :kilograms where id = :id")
+        .bind("kilograms", kilograms)
+        .bind("id", id(h, robot))
+        .execute();
   }
 
   static int savePlace(Handle h, String robot, Pose pose, double diameter, long drive) {

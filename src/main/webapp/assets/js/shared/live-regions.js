@@ -1,4 +1,4 @@
-import {showTimes} from './times.js';
+import {showTime, showTimes} from './times.js';
 
 /** Milliseconds between two refreshes at least. */
 const REFRESH_INTERVAL = 1_000;
@@ -7,7 +7,8 @@ const REFRESH_INTERVAL = 1_000;
 const SUBJECTS = {
   tasks: ({tasks, queued}) => [queued, ...tasks.map((task) => [task.id, task.state, task.robots, task.held])],
   task: ({tasks}, name) => tasks.find((task) => String(task.id) === name),
-  robots: ({robots}) => robots.map(({state, task, doing, battery}) => [state, task, doing, Math.round(100 * battery)]),
+  robots: ({robots}) => robots.map(({state, task, phase, doing, battery, pose, twist, maxLoad, host, port}) =>
+    [state, task, phase, doing, Math.round(100 * battery), pose, twist?.v, maxLoad, host, port]),
   robot: ({robots}, name) => {
     const robot = robots.find((candidate) => candidate.name === name);
     return robot && {...robot, lastSeen: null, route: null};
@@ -16,6 +17,7 @@ const SUBJECTS = {
     const task = tasks.find((candidate) => String(candidate.id) === name);
     return task && [task.state, task.held, task.priority, task.needs];
   },
+  'robot-battery': ({robots}, name) => Math.round(100 * robots.find((robot) => robot.name === name)?.battery),
   'robot-stop': ({robots}, name) => {
     const robot = robots.find((candidate) => candidate.name === name);
     return robot?.errors.filter(({clearable}) => clearable).map(({code}) => code);
@@ -40,6 +42,7 @@ class LiveRegions {
 
   update(snapshot) {
     showAlerts(snapshot.alerts);
+    showLastReports(snapshot.robots);
     for (const {id, dataset} of document.querySelectorAll('[data-live]')) {
       const subject = JSON.stringify(SUBJECTS[dataset.live](snapshot, dataset.name)) ?? '';
       if (subject !== this.#subjects.get(id)) {
@@ -104,6 +107,17 @@ function replace(old, fresh) {
   const successor = focused && [...fresh.querySelectorAll('*')].find((element) => element.isEqualNode(focused));
   old.replaceWith(fresh);
   successor?.focus({preventScroll: true});
+}
+
+/** Reports come all the time: a region is not fetched anew for them. */
+function showLastReports(robots) {
+  for (const time of document.querySelectorAll('time[data-last-seen]')) {
+    const robot = robots.find(({name}) => name === time.dataset.lastSeen);
+    if (robot?.lastSeen) {
+      time.dateTime = robot.lastSeen;
+      showTime(time);
+    }
+  }
 }
 
 function showAlerts(alerts) {

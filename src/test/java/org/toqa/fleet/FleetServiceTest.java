@@ -187,4 +187,40 @@ class FleetServiceTest extends HallFleetTest {
 
     assertEquals("load", assertInstanceOf(Answer.Rejected.class, refused).field());
   }
+
+  @Test
+  void aRobotThatWasNeverConnectedMakesNoTaskPossible() throws Exception {
+    stage.add("r2", EAST, "P2").fallSilent(); // 5 kg were entered for it
+    stage.restart();
+    until(view -> robot(view, "r1").state() == RobotState.IDLE);
+
+    Answer<TaskView> refused = answer(stage.fleet.submit(order(8), "Clara"));
+
+    assertEquals(
+        "The robots cannot carry 8 kg: together they carry 5 kg."
+            + " A robot counts once it has been connected. Split the load.",
+        assertInstanceOf(Answer.Rejected.class, refused).sentence().english());
+    scriptedRobot("r2").speakAgain();
+    until(view -> robot(view, "r2").state() == RobotState.IDLE);
+    accepted(stage.fleet.submit(order(8), "Clara"));
+    scriptedRobot("r2").loseConnection();
+    stage.restart(); // what it said is remembered
+    until(view -> robot(view, "r1").state() == RobotState.IDLE);
+    accepted(stage.fleet.submit(order(8), "Clara"));
+  }
+
+  @Test
+  void aRobotThatCannotBeReachedSaysWhy() throws Exception {
+    until(view -> robot(view, "r1").state() == RobotState.IDLE);
+
+    scriptedRobot("r1").loseConnection();
+
+    until(view -> robot(view, "r1").state() == RobotState.LOST);
+    RobotView lost = robot(stage.fleet.snapshots().latest(), "r1");
+    assertEquals("Lost: cut Its place stays reserved.", lost.work().doing().english());
+    assertEquals("cut", String.valueOf(lost.unreachable()));
+    scriptedRobot("r1").speakAgain();
+    until(view -> robot(view, "r1").state() == RobotState.IDLE);
+    assertNull(robot(stage.fleet.snapshots().latest(), "r1").unreachable());
+  }
 }

@@ -196,6 +196,7 @@ class RobotLinesFuzzTest {
         battery,
         List.of(),
         List.of(),
+        null,
         List.of());
   }
 }

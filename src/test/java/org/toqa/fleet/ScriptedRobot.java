@@ -31,6 +31,7 @@ import org.toqa.link.message.ServerMessage.Ping;
 import org.toqa.link.message.ServerMessage.Release;
 import org.toqa.link.message.ServerMessage.Resume;
 import org.toqa.motion.Segment;
+import org.toqa.wording.Sentence;
 
 /**
  * A robot at the other end of the link, without a link: it answers by the contract, drives one
@@ -170,7 +171,7 @@ public final class ScriptedRobot {
   synchronized void loseConnection() {
     condition.mute = true;
     connected = false;
-    Objects.requireNonNull(listener).disconnected("cut");
+    Objects.requireNonNull(listener).disconnected(Sentence.verbatim("cut"));
   }
 
   /** All that it was told and did, in order, without pings. */
@@ -400,6 +401,7 @@ public final class ScriptedRobot {
         condition.battery,
         List.of(),
         condition.obstacles,
+        null,
         condition.faults(formation.stopReason()));
   }
 }

@@ -139,7 +139,7 @@ final class SteppedLinks implements RobotLinkFactory {
     }
 
     @Override
-    public void disconnected(String why) {
+    public void disconnected(Sentence why) {
       forget();
       listener.disconnected(why);
     }

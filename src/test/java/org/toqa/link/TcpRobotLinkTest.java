@@ -71,7 +71,10 @@ class TcpRobotLinkTest {
   @Test
   void linkConnectsAgainByItself() throws Exception {
     greet().close();
-    assertEquals(new LinkRecorder.End("r1 closed the connection."), heard.next());
+    assertEquals(
+        new LinkRecorder.End(
+            "r1 closed the connection. If it does not come back, look at its daemon’s log."),
+        heard.next());
 
     try (Socket socket = greet()) {
       say(socket, "{\"type\":\"ack\",\"seq\":4}");
@@ -118,7 +121,7 @@ class TcpRobotLinkTest {
       say(socket, HELLO.replace("\"version\":1", "\"version\":2"));
 
       assertEquals(
-          "r1 speaks version 2 of the robot link, this server version 1; update the older one.",
+          "r1 speaks version 2 of the robot link, this server version 1. Update the older one.",
           heard.await(LinkRecorder.End.class).sentence());
     }
   }
@@ -129,7 +132,7 @@ class TcpRobotLinkTest {
       say(socket, "{\"type\":\"ack\",\"seq\":3}");
 
       assertEquals(
-          "What answers at 127.0.0.1:%d is not r1: it did not say hello."
+          "What answers at 127.0.0.1:%d is not r1: it does not begin as a robot does. Check address and port."
               .formatted(robot.getLocalPort()),
           heard.await(LinkRecorder.End.class).sentence());
     }
@@ -138,7 +141,11 @@ class TcpRobotLinkTest {
   @Test
   void silentPeerIsLeftAfterFiveSeconds() throws Exception {
     try (Socket socket = greet()) {
-      assertEquals(new LinkRecorder.End("r1 has said nothing for 5 s."), heard.next());
+      assertEquals(
+          new LinkRecorder.End(
+              "r1 has said nothing for 5 s. If it does not come back, check that it is switched on"
+                  + " and in the network."),
+          heard.next());
       assertNull(line(socket), "the connection is closed");
     }
   }
@@ -163,7 +170,9 @@ class TcpRobotLinkTest {
         link.send(new Ping(i));
       }
 
-      assertEquals(new LinkRecorder.End("r1 does not take what it is told."), heard.next());
+      assertEquals(
+          new LinkRecorder.End("r1 does not take what it is told. Look at its daemon’s log."),
+          heard.next());
     }
   }
 
@@ -175,7 +184,8 @@ class TcpRobotLinkTest {
     LinkRecorder another = new LinkRecorder();
     try (RobotLink _ = open("127.0.0.1", port, another)) {
       String sentence = another.await(LinkRecorder.End.class).sentence();
-      assertTrue(sentence.startsWith("r1 cannot be reached at 127.0.0.1:" + port), sentence);
+      assertTrue(
+          sentence.startsWith("No program accepts connections at 127.0.0.1:" + port), sentence);
 
       try (ServerSocket late = new ServerSocket(port, 10, InetAddress.getLoopbackAddress());
           Socket socket = late.accept()) {

@@ -23,6 +23,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 import org.toqa.fleet.EventRecord;
 import org.toqa.fleet.FleetStore.Submission;
 import org.toqa.fleet.RobotRecord;
+import org.toqa.fleet.history.BatteryLevel;
 import org.toqa.fleet.history.EventArchive.Entry;
 import org.toqa.fleet.history.EventArchive.Filter;
 import org.toqa.fleet.history.FloorTracks;
@@ -272,7 +273,20 @@ class HistoryTest extends DatabaseTest {
                         "r1", at, Map.of(RobotActivity.IDLE, Duration.ofMinutes(30)), 7, 0))
             .toList());
 
+    tracks.addBatteryLevels(
+        List.of(
+            new BatteryLevel("r1", AT, 0.5),
+            new BatteryLevel("r1", AT.plusSeconds(1990), 0.49),
+            new BatteryLevel("r1", AT.plusSeconds(3000), 0.48)));
+    assertEquals(
+        List.of(
+            new BatteryLevel("r1", AT.plusSeconds(1990), 0.49),
+            new BatteryLevel("r1", AT.plusSeconds(3000), 0.48)),
+        tracks.batteryLevels("r1", AT.plusSeconds(2500)),
+        "and the last one from before");
+
     assertEquals(2000, pruning.pruneTracks(AT.plusSeconds(2000)));
+    assertEquals(1, tracks.batteryLevels("r1", AT).size());
     assertEquals(1, pruning.pruneHistory(AT.plus(Duration.ofDays(1))));
 
     assertEquals(500, tracks.track("r1", AT).size());

@@ -13,6 +13,7 @@ import org.toqa.fleet.RobotCapabilities;
 import org.toqa.fleet.RobotRecord;
 import org.toqa.fleet.RobotState;
 import org.toqa.fleet.RobotView;
+import org.toqa.fleet.RobotView.Readings;
 import org.toqa.fleet.RobotView.Telemetry;
 import org.toqa.fleet.RobotView.Work;
 import org.toqa.geometry.Pose;
@@ -42,9 +43,10 @@ public final class Hall {
         state,
         new Work(null, Phase.NONE, false, null, Phrase.IS_FREE.with()),
         pose == null
-            ? new Telemetry(null, null, List.of(), null)
-            : new Telemetry(pose, 0.84, List.of(), START),
+            ? new Telemetry(null, null, Readings.NONE, List.of(), null)
+            : new Telemetry(pose, 0.84, Readings.NONE, List.of(), START),
         RemainingPath.NONE,
+        null,
         null);
   }
 

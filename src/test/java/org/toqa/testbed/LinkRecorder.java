@@ -53,8 +53,8 @@ public final class LinkRecorder implements RobotLink.Listener {
   }
 
   @Override
-  public void disconnected(String sentence) {
-    told.add(new End(sentence));
+  public void disconnected(Sentence why) {
+    told.add(new End(why.english()));
   }
 
   @Override

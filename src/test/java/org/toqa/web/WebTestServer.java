@@ -57,7 +57,15 @@ public final class WebTestServer implements AutoCloseable {
 
   /** Tables of what a fleet has done. */
   private static final List<String> WORK =
-      List.of("robot_use", "tracks", "events", "drives", "schedules", "tasks", "robots");
+      List.of(
+          "robot_use",
+          "tracks",
+          "battery_levels",
+          "events",
+          "drives",
+          "schedules",
+          "tasks",
+          "robots");
 
   /** Live streams. */
   public static final int STREAMS_PER_USER = 20;

@@ -310,6 +310,7 @@ final class DrivenRobot implements AutoCloseable {
         1,
         List.of(),
         List.of(),
+        null,
         faults());
   }
 

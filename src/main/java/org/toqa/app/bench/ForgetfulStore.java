@@ -77,6 +77,9 @@ final class ForgetfulStore implements FleetStore {
   public void saveGone(String robot, List<EventRecord> events) {}
 
   @Override
+  public void saveToldLoad(String robot, double kilograms) {}
+
+  @Override
   public void savePlace(String robot, Pose pose, double diameter, long drive) {}
 
   @Override

@@ -116,7 +116,7 @@ final class SimulatedLinks implements RobotLinkFactory, Participant {
     }
 
     @Override
-    public void disconnected(String why) {
+    public void disconnected(Sentence why) {
       setHeard(false);
       listener.disconnected(why);
     }

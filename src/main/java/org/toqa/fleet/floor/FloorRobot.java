@@ -173,17 +173,18 @@ final class FloorRobot {
             activity(work)),
         reported.report().telemetry(),
         path,
-        reported.alert() == null ? charging.alert() : reported.alert());
+        reported.alert() == null ? charging.alert() : reported.alert(),
+        reported.unreachable());
   }
 
   private Sentence activity(@Nullable DriveGoal work) {
     return switch (state()) {
       case CONNECTING ->
           Objects.requireNonNullElse(
-              reported.alert(), Phrase.TRYING_TO_REACH.with(record.host(), record.port()));
+              reported.unreachable(), Phrase.TRYING_TO_REACH.with(record.host(), record.port()));
       case LOST ->
           Phrase.LOST.with(
-              Objects.requireNonNullElse(reported.alert(), Phrase.NOTHING_HEARD.with()),
+              Objects.requireNonNullElse(reported.unreachable(), Phrase.NOTHING_HEARD.with()),
               (reported.pose() == null ? Phrase.NOBODY_KNOWS_WHERE : Phrase.PLACE_STAYS_RESERVED)
                   .with());
       case NOT_LOCALISED -> Phrase.MUST_BE_LOCALISED.with();

@@ -3,6 +3,7 @@ package org.toqa.fleet.floor;
 import java.time.Instant;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
+import org.toqa.fleet.RobotView.Readings;
 import org.toqa.fleet.RobotView.Telemetry;
 import org.toqa.geometry.Pose;
 import org.toqa.link.message.AgentMessage;
@@ -17,6 +18,7 @@ import org.toqa.link.message.AgentMessage.Role;
  * @param pose map frame; null: it was never heard of, or a person said that it is not there any
  *     more
  * @param battery 0 to 1; null: it has not said it yet
+ * @param readings {@link Readings#NONE} until it has said them
  * @param drive the number of the drive that it has, 0 without one
  * @param task the task that it drives for, if any
  * @param at when it was heard last; null: never
@@ -25,6 +27,7 @@ record LastReport(
     boolean localised,
     @Nullable Pose pose,
     @Nullable Double battery,
+    Readings readings,
     Mode mode,
     Role role,
     boolean moving,
@@ -35,7 +38,8 @@ record LastReport(
 
   /** Of a robot that was never heard of. */
   static final LastReport NONE =
-      new LastReport(false, null, null, Mode.IDLE, Role.ALONE, false, 0, null, List.of(), null);
+      new LastReport(
+          false, null, null, Readings.NONE, Mode.IDLE, Role.ALONE, false, 0, null, List.of(), null);
 
   /** Metres a second that a stopped robot may still report. */
   private static final double STANDING_SPEED = 0.02;
@@ -54,6 +58,7 @@ record LastReport(
         state.localised(),
         state.pose(),
         state.battery(),
+        Readings.of(state),
         state.mode(),
         state.role(),
         moves,
@@ -69,6 +74,7 @@ record LastReport(
         hello.localised(),
         hello.pose(),
         battery,
+        Readings.NONE,
         hello.mode(),
         hello.role(),
         moving,
@@ -80,14 +86,15 @@ record LastReport(
 
   LastReport withDrive(long newDrive, @Nullable Long newTask) {
     return new LastReport(
-        localised, pose, battery, mode, role, moving, newDrive, newTask, errors, at);
+        localised, pose, battery, readings, mode, role, moving, newDrive, newTask, errors, at);
   }
 
   /**
    * @param newPose null: nobody knows where it is
    */
   LastReport withPose(@Nullable Pose newPose) {
-    return new LastReport(localised, newPose, battery, mode, role, moving, drive, task, errors, at);
+    return new LastReport(
+        localised, newPose, battery, readings, mode, role, moving, drive, task, errors, at);
   }
 
   /** Whether one of its errors has this code. */
@@ -97,6 +104,6 @@ record LastReport(
 
   /** What readers see of it. */
   Telemetry telemetry() {
-    return new Telemetry(pose, battery, errors, at);
+    return new Telemetry(pose, battery, readings, errors, at);
   }
 }

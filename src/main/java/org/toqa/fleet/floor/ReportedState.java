@@ -18,6 +18,7 @@ final class ReportedState {
   private LastReport report = LastReport.NONE;
   private RobotCapabilities capabilities = RobotCapabilities.UNKNOWN;
   private @Nullable Sentence alert;
+  private @Nullable Sentence unreachable;
   private @Nullable CommandRejected rejectedChange;
   private Instant refusalNotedAt = Instant.MIN;
 
@@ -81,6 +82,11 @@ final class ReportedState {
     return alert;
   }
 
+  /** Why it is not connected, and what to do; null: it is, or nothing is known yet. */
+  @Nullable Sentence unreachable() {
+    return unreachable;
+  }
+
   /** When the history was last told whom it did not let in. */
   Instant refusalNotedAt() {
     return refusalNotedAt;
@@ -93,8 +99,10 @@ final class ReportedState {
         new RobotCapabilities(
             hello.footprint(),
             DriveSpeeds.DEFAULT.atMost(hello.maxSpeed(), hello.maxTurnRate()),
-            hello.maxLoad());
+            hello.maxLoad(),
+            hello.sensorRange());
     alert = null;
+    unreachable = null;
     rejectedChange = null;
   }
 
@@ -102,6 +110,13 @@ final class ReportedState {
   void recover(LastPlace place) {
     report = report.withPose(place.pose());
     capabilities = capabilities.withFootprint(place.diameter());
+  }
+
+  /**
+   * @param maxLoad kilograms that it said it carries, before this server began
+   */
+  void recover(double maxLoad) {
+    capabilities = capabilities.withMaxLoad(maxLoad);
   }
 
   void setReport(AgentMessage.State state, Instant now) {
@@ -123,8 +138,9 @@ final class ReportedState {
   /**
    * @param now of the time that ticks bring
    */
-  void setDisconnected(Instant now) {
+  void setDisconnected(Sentence why, Instant now) {
     contact = contact.disconnected(now);
+    unreachable = why;
   }
 
   /** It has taken this drive, though no report tells of it yet. */

@@ -56,9 +56,9 @@ final class RobotEventHandler {
     state.changed = true;
     switch (event) {
       case RobotEvent.Connected m -> connected(robot, m.hello(), m.drive());
-      case RobotEvent.Disconnected m -> robot.reported.setDisconnected(state.now);
+      case RobotEvent.Disconnected m -> robot.reported.setDisconnected(m.why(), state.now);
       case RobotEvent.LinkRefused m -> {
-        robot.reported.setDisconnected(state.now);
+        robot.reported.setDisconnected(m.why(), state.now);
         robot.reported.setAlert(m.why());
         addToHistory(robot, EventKind.ROBOT_LINK_REFUSED, m.why());
       }
@@ -82,10 +82,17 @@ final class RobotEventHandler {
     }
   }
 
-  /** Where it was last known, and how wide it is, until it is heard. */
+  /** What it carries, where it was last known, and how wide it is, until it is heard. */
   void recoverReport(StoredRobot stored) {
     FloorRobot robot = state.robots.get(stored.name());
-    if (robot != null && stored.place() != null) {
+    if (robot == null) {
+      return;
+    }
+    Double toldLoad = stored.toldLoad();
+    if (toldLoad != null) {
+      robot.reported.recover(toldLoad);
+    }
+    if (stored.place() != null) {
       robot.reported.recover(stored.place());
     }
   }
@@ -144,7 +151,11 @@ final class RobotEventHandler {
 
   /** Compares what the robot says with what was stored, and goes on from there. */
   private void connected(FloorRobot robot, Hello hello, Optional<StoredDrive> stored) {
+    boolean saysAnotherLoad = robot.reported.capabilities().maxLoad() != hello.maxLoad();
     robot.reported.connected(hello, state.clock.instant());
+    if (saysAnotherLoad) {
+      state.writer.write(() -> state.store.saveToldLoad(robot.name(), hello.maxLoad()), () -> {});
+    }
     Optional<StoredDrive> drive = stored.filter(d -> d.seq() == hello.drive());
     robot.drive.reconnect(drive, stored.map(StoredDrive::seq).orElse(0L));
     if (!state.formations.isCoveredByLeader(robot.name())) {

@@ -15,8 +15,8 @@ import org.toqa.fleet.SnapshotFeed;
 import org.toqa.persistence.StoreException;
 
 /**
- * Writes down where robots were, on a thread of its own. A killed server loses the last ten seconds
- * of it; while the store does not answer, the newest points wait.
+ * Writes down where robots were and how full their batteries, on a thread of its own. A killed
+ * server loses the last ten seconds of it; while the store does not answer, the newest points wait.
  */
 public final class TrackRecorder implements AutoCloseable {
   private static final Logger log = LoggerFactory.getLogger(TrackRecorder.class);
@@ -28,6 +28,11 @@ public final class TrackRecorder implements AutoCloseable {
   private final TrackStore store;
   private final Map<String, TrackThinner> thinners = new HashMap<>();
   private final List<TrackPoint> waiting = new ArrayList<>();
+
+  /** By robot, the last level that was written down or waits. */
+  private final Map<String, BatteryLevel> levels = new HashMap<>();
+
+  private final List<BatteryLevel> waitingLevels = new ArrayList<>();
   private final PeriodicWork work;
   private long written = System.nanoTime();
 
@@ -52,21 +57,43 @@ public final class TrackRecorder implements AutoCloseable {
           .computeIfAbsent(robot.name(), TrackThinner::new)
           .add(seen.lastSeen(), seen.pose().position())
           .ifPresent(waiting::add);
+      observeBattery(robot.name(), seen);
+    }
+  }
+
+  private void observeBattery(String robot, Telemetry seen) {
+    Double battery = seen.battery();
+    if (battery == null || seen.lastSeen() == null) {
+      return;
+    }
+    BatteryLevel now = new BatteryLevel(robot, seen.lastSeen(), battery);
+    BatteryLevel before = levels.get(robot);
+    if (before == null || now.isNewAfter(before)) {
+      levels.put(robot, now);
+      waitingLevels.add(now);
     }
   }
 
   private void write() {
-    if (waiting.isEmpty()) {
-      return;
-    }
     try {
-      store.add(List.copyOf(waiting));
-      waiting.clear();
+      if (!waiting.isEmpty()) {
+        store.add(List.copyOf(waiting));
+        waiting.clear();
+      }
+      if (!waitingLevels.isEmpty()) {
+        store.addBatteryLevels(List.copyOf(waitingLevels));
+        waitingLevels.clear();
+      }
     } catch (StoreException e) {
       log.warn("Tracks could not be stored; they wait.", e);
-      if (waiting.size() > MAX_WAITING) {
-        waiting.subList(0, waiting.size() - MAX_WAITING).clear();
-      }
+      dropOldest(waiting);
+      dropOldest(waitingLevels);
+    }
+  }
+
+  private static void dropOldest(List<?> waiting) {
+    if (waiting.size() > MAX_WAITING) {
+      waiting.subList(0, waiting.size() - MAX_WAITING).clear();
     }
   }
 

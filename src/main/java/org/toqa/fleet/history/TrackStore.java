@@ -4,8 +4,8 @@ import java.time.Instant;
 import java.util.List;
 
 /**
- * Where robots were. Called by threads that may wait; it throws what a {@link
- * org.toqa.fleet.FleetStore} throws.
+ * Where robots were, and how full their batteries. Called by threads that may wait; it throws what
+ * a {@link org.toqa.fleet.FleetStore} throws.
  */
 public interface TrackStore {
 
@@ -23,6 +23,12 @@ public interface TrackStore {
    * @param most how many points of the period are wanted at most; more than there are robots
    */
   FloorTracks tracksOf(List<String> robots, Instant from, Instant until, int most);
+
+  /** A level that is there already stays as it is. */
+  void addBatteryLevels(List<BatteryLevel> levels);
+
+  /** The robot's levels since then, oldest first, and before them the last one from before. */
+  List<BatteryLevel> batteryLevels(String robot, Instant since);
 
   /** The names of all robots that are on the floor, or were when they were removed. */
   List<String> robotsOf(String floor);

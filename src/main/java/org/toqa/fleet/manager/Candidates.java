@@ -17,10 +17,14 @@ final class Candidates {
   private Candidates() {}
 
   /**
+   * A robot that was never connected is none, once another was: what it can do is not known.
+   *
    * @param promised robots that are being given a task which no report tells of yet
    */
   static List<Candidate> of(FloorMap floor, List<RobotView> robots, Set<String> promised) {
+    boolean isAnyKnown = robots.stream().anyMatch(RobotView::isLoadKnown);
     return robots.stream()
+        .filter(r -> r.isLoadKnown() || !isAnyKnown)
         .map(r -> of(floor, r, RobotCondition.availability(r, promised.contains(r.name()))))
         .toList();
   }

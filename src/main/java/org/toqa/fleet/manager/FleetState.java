@@ -96,19 +96,20 @@ final class FleetState {
   }
 
   /**
-   * What all robots carry together, kilograms: no more than each says, once it is heard, and than a
-   * person entered.
+   * What all robots carry together, kilograms: no more than each says and than a person entered. A
+   * robot that was never connected does not count, once another was.
    */
   double totalCapacity() {
     if (robots.isEmpty()) {
       return Double.MAX_VALUE;
     }
-    Map<String, Double> told =
+    Map<String, Double> known =
         reports.values().stream()
             .flatMap(report -> report.robots().stream())
+            .filter(RobotView::isLoadKnown)
             .collect(Collectors.toMap(RobotView::name, RobotView::maxLoad));
     return robots.values().stream()
-        .mapToDouble(r -> Math.min(r.maxLoad(), told.getOrDefault(r.name(), r.maxLoad())))
+        .mapToDouble(r -> known.getOrDefault(r.name(), known.isEmpty() ? r.maxLoad() : 0))
         .sum();
   }
 

@@ -104,7 +104,7 @@ public final class FloorSystem implements AutoCloseable {
 
   private static StoredRobot unusedRobot(RobotRecord robot) {
     return new StoredRobot(
-        robot, false, false, new ChargeRecord(robot.name(), Duration.ZERO, null), null);
+        robot, false, false, new ChargeRecord(robot.name(), Duration.ZERO, null), null, null);
   }
 
   /** Lets the agents do what is due by then, about ten times a second. */

@@ -114,13 +114,13 @@ final class LinkInbox implements RobotLink.Listener {
   }
 
   @Override
-  public synchronized void disconnected(String sentence) {
-    add(new RobotMessage.LinkClosed(sentence));
+  public synchronized void disconnected(Sentence why) {
+    add(new RobotMessage.LinkClosed(why));
   }
 
   @Override
-  public synchronized void refused(Sentence sentence) {
-    add(new RobotMessage.LinkRefused(sentence));
+  public synchronized void refused(Sentence why) {
+    add(new RobotMessage.LinkRefused(why));
   }
 
   private void add(RobotMessage message) {

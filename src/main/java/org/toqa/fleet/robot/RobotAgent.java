@@ -138,7 +138,7 @@ public final class RobotAgent extends AbstractBehavior<RobotMessage> {
         floor.tell(new RobotEvent.Disconnected(robot.name(), m.why()));
       }
       case RobotMessage.LinkRefused m -> {
-        disconnected(m.why().english());
+        disconnected(m.why());
         floor.tell(new RobotEvent.LinkRefused(robot.name(), m.why()));
       }
       case RobotMessage.Reconnect m -> reconnect(m.robot());
@@ -262,9 +262,9 @@ public final class RobotAgent extends AbstractBehavior<RobotMessage> {
     }
   }
 
-  private void disconnected(String why) {
+  private void disconnected(Sentence why) {
     if (hello != null) {
-      log.warn("{}: connection lost: {}", robot.name(), why);
+      log.warn("{}: connection lost: {}", robot.name(), why.english());
     }
     hello = null;
     reports.setConnection(null);
@@ -272,8 +272,9 @@ public final class RobotAgent extends AbstractBehavior<RobotMessage> {
 
   private void reconnect(RobotRecord paired) {
     link.close();
-    disconnected("it was paired anew");
-    floor.tell(new RobotEvent.Disconnected(robot.name(), "it was paired anew"));
+    Sentence why = Phrase.IS_CONNECTED_ANEW.with(robot.name());
+    disconnected(why);
+    floor.tell(new RobotEvent.Disconnected(robot.name(), why));
     robot = paired;
     inbox = openInbox(getContext().getSelf());
     link = links.open(robot.address(), inbox);

@@ -20,7 +20,7 @@ public sealed interface RobotEvent {
    */
   record Connected(String robot, Hello hello, Optional<StoredDrive> drive) implements RobotEvent {}
 
-  record Disconnected(String robot, String why) implements RobotEvent {}
+  record Disconnected(String robot, Sentence why) implements RobotEvent {}
 
   /** It is not connected, for one end does not trust the other. */
   record LinkRefused(String robot, Sentence why) implements RobotEvent {}

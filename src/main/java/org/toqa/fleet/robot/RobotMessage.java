@@ -87,7 +87,7 @@ public sealed interface RobotMessage {
 
   record MessageReceived(AgentMessage message) implements RobotMessage {}
 
-  record LinkClosed(String why) implements RobotMessage {}
+  record LinkClosed(Sentence why) implements RobotMessage {}
 
   /** The link is down, for one end does not trust the other. */
   record LinkRefused(Sentence why) implements RobotMessage {}

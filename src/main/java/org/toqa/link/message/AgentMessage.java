@@ -92,6 +92,7 @@ public sealed interface AgentMessage {
    * @param stamp the robot's own clock, milliseconds since 1970: information only
    * @param battery 0 to 1
    * @param ranges metres, in the order of the robot's range sensors
+   * @param placeError metres off its place beside its leader; null: it does not follow
    */
   record State(
       long stamp,
@@ -108,14 +109,29 @@ public sealed interface AgentMessage {
       double battery,
       List<Double> ranges,
       List<Vec2> obstacles,
+      @JsonSetter(nulls = Nulls.SET) @Nullable Double placeError,
       List<Fault> errors)
       implements AgentMessage {
 
     /** The same, as if it had seen these obstacles only. */
     public State withObstacles(List<Vec2> seen) {
       return new State(
-          stamp, localised, pose, twist, mode, task, phase, role, drive, segment, released, battery,
-          ranges, seen, errors);
+          stamp,
+          localised,
+          pose,
+          twist,
+          mode,
+          task,
+          phase,
+          role,
+          drive,
+          segment,
+          released,
+          battery,
+          ranges,
+          seen,
+          placeError,
+          errors);
     }
   }
 

@@ -226,8 +226,12 @@ public final class LinkCodec {
         addIfMissing(message, "maxTurnRate", MAX_TURN_RATE_NOT_SENT);
         addIfMissing(message, "sensorRange", SENSOR_RANGE_NOT_SENT);
       }
-      case "state" ->
-          message.path("errors").valueStream().forEach(error -> addIfMissing(error, "clearable"));
+      case "state" -> {
+        if (message instanceof ObjectNode state && !state.has("placeError")) {
+          state.putNull("placeError");
+        }
+        message.path("errors").valueStream().forEach(error -> addIfMissing(error, "clearable"));
+      }
       default -> {}
     }
   }

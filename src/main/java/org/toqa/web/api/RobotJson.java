@@ -37,7 +37,22 @@ public record RobotJson(
     @Nullable String charger,
     @Nullable String fingerprint,
     @Nullable Sentence alert,
-    @Nullable String gateway) {
+    @Nullable String gateway,
+    @Nullable Sentence unreachable,
+    @Nullable TwistJson twist,
+    List<Double> ranges,
+    @Nullable Double placeError,
+    double sensorRange,
+    @Nullable Double toldLoad) {
+
+  /** Metres a second forward, radians a second counter-clockwise. */
+  private record TwistJson(double v, double w) {
+    static @Nullable TwistJson of(RobotView.Readings readings) {
+      Double v = readings.speed();
+      Double w = readings.turnRate();
+      return v == null || w == null ? null : new TwistJson(v, w);
+    }
+  }
 
   public static RobotJson of(RobotView view) {
     RobotRecord stored = view.record();
@@ -68,6 +83,12 @@ public record RobotJson(
         work.charger(),
         Objects.toString(stored.fingerprint(), null),
         view.alert(),
-        stored.gateway());
+        stored.gateway(),
+        view.unreachable(),
+        TwistJson.of(seen.readings()),
+        seen.readings().ranges(),
+        seen.readings().placeError(),
+        view.capabilities().sensorRange(),
+        view.capabilities().isLoadKnown() ? view.capabilities().maxLoad() : null);
   }
 }

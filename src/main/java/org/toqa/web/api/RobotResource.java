@@ -27,7 +27,8 @@ public final class RobotResource extends ApiHandler {
     send(request, response, robot(request));
   }
 
-  private static RobotView robot(HttpServletRequest request) {
+  /** That the request names. */
+  static RobotView robot(HttpServletRequest request) {
     String name = RequestPath.parameter(request, "name");
     return services(request).fleet().snapshots().latest().robots().stream()
         .filter(r -> r.name().equals(name))

@@ -8,8 +8,6 @@ import java.time.Instant;
 import java.util.List;
 import org.toqa.fleet.FleetSnapshot;
 import org.toqa.fleet.history.TrackPoint;
-import org.toqa.web.RequestPath;
-import org.toqa.web.Texts;
 
 /** Where a robot was in the last hours. */
 public final class TrackResource extends ApiHandler {
@@ -27,13 +25,9 @@ public final class TrackResource extends ApiHandler {
 
   public static void get(HttpServletRequest request, HttpServletResponse response)
       throws IOException {
-    String robot = RequestPath.parameter(request, "name");
+    String robot = RobotResource.robot(request).name();
     FleetSnapshot fleet = services(request).fleet().snapshots().latest();
-    if (fleet.robots().stream().noneMatch(r -> r.name().equals(robot))) {
-      throw Problem.of(404, Texts.of(request).get("problem.noSuchRobot")).exception();
-    }
-    int hours = queryNumber(request, "hours", DEFAULT_HOURS, 1, MAX_HOURS);
-    Instant since = fleet.at().minus(Duration.ofHours(hours));
+    Instant since = fleet.at().minus(Duration.ofHours(hours(request)));
     Json.send(
         request,
         response,
@@ -41,5 +35,10 @@ public final class TrackResource extends ApiHandler {
         new TrackJson(
             robot,
             services(request).tracks().track(robot, since).stream().map(PointJson::of).toList()));
+  }
+
+  /** Of which past the request asks. */
+  static int hours(HttpServletRequest request) {
+    return queryNumber(request, "hours", DEFAULT_HOURS, 1, MAX_HOURS);
   }
 }

@@ -4,6 +4,8 @@ import jakarta.servlet.ServletException;
 import jakarta.servlet.http.HttpServletRequest;
 import jakarta.servlet.http.HttpServletResponse;
 import java.io.IOException;
+import java.time.Duration;
+import java.time.Instant;
 import java.util.Optional;
 import java.util.function.Function;
 import org.jspecify.annotations.Nullable;
@@ -192,6 +194,14 @@ public final class RobotPage extends PageHandler {
         r -> {
           request.setAttribute("robot", r);
           request.setAttribute("version", Version.of(r));
+          request.setAttribute(
+              "ranges",
+              RangePicture.of(r.telemetry().readings().ranges(), r.capabilities().sensorRange()));
+          Instant since = fleet.at().minus(Duration.ofHours(TRACK_HOURS));
+          request.setAttribute(
+              "batteryPicture",
+              BatteryPicture.of(
+                  services(request).tracks().batteryLevels(name, since), since, fleet.at()));
         });
     request.setAttribute("floors", services(request).fleet().floors());
     request.setAttribute("gateways", services(request).fleet().gateways());

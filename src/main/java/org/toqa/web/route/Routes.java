@@ -19,6 +19,7 @@ import org.toqa.accounts.Scope;
 import org.toqa.web.Handler;
 import org.toqa.web.RequestPath;
 import org.toqa.web.access.Permission;
+import org.toqa.web.api.BatteryResource;
 import org.toqa.web.api.FleetResource;
 import org.toqa.web.api.FloorResource;
 import org.toqa.web.api.HealthResource;
@@ -199,6 +200,7 @@ public final class Routes {
           post("/api/v1/users/{id}/reset-link", MANAGER, UserResource::createLink),
           get("/api/v1/tracks", CLERK, TracksResource::get),
           get("/api/v1/tracks/{name}", CLERK, TrackResource::get),
+          get("/api/v1/robots/{name}/battery", CLERK, BatteryResource::get),
           get("/api/v1/history", CLERK, HistoryResource::get),
           get("/api/v1/statistics", CLERK, StatisticsResource::get),
           get("/api/v1/statistics/series.csv", CLERK, StatisticsCsvResource::series),

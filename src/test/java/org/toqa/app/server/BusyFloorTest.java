@@ -282,7 +282,7 @@ class BusyFloorTest {
     }
 
     @Override
-    public void disconnected(String why) {
+    public void disconnected(Sentence why) {
       listener.disconnected(why);
     }
 

@@ -140,7 +140,7 @@ class SimulatedLinksTest {
     public void passedOver(int states, int unreadable) {}
 
     @Override
-    public void disconnected(String why) {}
+    public void disconnected(Sentence why) {}
 
     @Override
     public void refused(Sentence sentence) {}

@@ -14,6 +14,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.toqa.fleet.RobotCapabilities;
 import org.toqa.fleet.RobotState;
 import org.toqa.fleet.RobotView;
+import org.toqa.fleet.RobotView.Readings;
 import org.toqa.fleet.RobotView.Telemetry;
 import org.toqa.fleet.RobotView.Work;
 import org.toqa.geometry.Pose;
@@ -143,7 +144,8 @@ class UtilisationMeterTest {
 
   private static RobotView seenAt(Instant at, RobotView view) {
     Telemetry seen = view.telemetry();
-    return view.withTelemetry(new Telemetry(seen.pose(), seen.battery(), seen.errors(), at));
+    return view.withTelemetry(
+        new Telemetry(seen.pose(), seen.battery(), seen.readings(), seen.errors(), at));
   }
 
   private static RobotView robot(
@@ -151,8 +153,8 @@ class UtilisationMeterTest {
     Long task = phase == 0 ? null : 7L;
     return Hall.robot("r1", state, null, "127.0.0.1", 7275)
         .withCapabilities(
-            new RobotCapabilities(0.3, new DriveSpeeds(SPEED, 1, 1), Double.MAX_VALUE))
+            new RobotCapabilities(0.3, new DriveSpeeds(SPEED, 1, 1), Double.MAX_VALUE, 0.8))
         .withWork(new Work(task, Phase.stored(phase), held, null, Sentence.verbatim("")))
-        .withTelemetry(new Telemetry(new Pose(x, 0, 0), battery, List.of(), seen));
+        .withTelemetry(new Telemetry(new Pose(x, 0, 0), battery, Readings.NONE, List.of(), seen));
   }
 }

@@ -17,6 +17,7 @@ import org.toqa.link.message.AgentMessage.Mode;
 import org.toqa.link.message.AgentMessage.Role;
 import org.toqa.link.message.AgentMessage.Speed;
 import org.toqa.link.message.AgentMessage.State;
+import org.toqa.wording.Sentence;
 
 class LinkInboxTest {
   private int wakes;
@@ -54,7 +55,7 @@ class LinkInboxTest {
     assertFalse(inbox.received(new Ack(-1)));
     assertFalse(inbox.received(state(1)));
     assertEquals(2, inbox.takePassedOver().overflows());
-    inbox.disconnected("It says too much.");
+    inbox.disconnected(Sentence.verbatim("It says too much."));
     assertEquals(LinkInbox.CAPACITY, takeAll().size());
   }
 
@@ -101,6 +102,7 @@ class LinkInboxTest {
         0.5,
         List.of(),
         List.of(),
+        null,
         Stream.of(faults).map(code -> new Fault(code, "It is so.")).toList());
   }
 }

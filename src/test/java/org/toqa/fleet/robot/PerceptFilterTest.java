@@ -115,6 +115,7 @@ class PerceptFilterTest {
         0.5,
         List.of(),
         List.of(obstacles),
+        null,
         List.of());
   }
 

@@ -14,6 +14,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.toqa.fleet.EventRecord;
 import org.toqa.fleet.RobotRecord;
 import org.toqa.fleet.RobotState;
+import org.toqa.fleet.history.BatteryLevel;
 import org.toqa.fleet.history.TrackPoint;
 import org.toqa.geometry.Pose;
 import org.toqa.geometry.Vec2;
@@ -69,6 +70,29 @@ class ApiHistoryTest extends ApiTestServer {
     assertEquals(1, points.size());
     assertEquals(2.5, points.get(0).get("x").asDouble());
     assertEquals(404, get("api/v1/tracks/r9").statusCode());
+  }
+
+  @Test
+  void aRobotHasABatteryOverTime() {
+    server
+        .fleet()
+        .changeRobots(
+            none -> List.of(Hall.robot("r1", RobotState.IDLE, new Pose(1, 1, 0), "h", 7275)));
+    server.store().saveRobot(new RobotRecord("r1", "hall", "h", 7275, 5, null, false, null, null));
+    Instant now = server.fleet().latest().at();
+    server
+        .tracks()
+        .addBatteryLevels(
+            List.of(
+                new BatteryLevel("r1", now.minusSeconds(9000), 0.9),
+                new BatteryLevel("r1", now.minusSeconds(7200), 0.84),
+                new BatteryLevel("r1", now.minusSeconds(60), 0.8)));
+
+    JsonNode levels = JSON.readTree(get("api/v1/robots/r1/battery?hours=1").body()).get("levels");
+
+    assertEquals(2, levels.size());
+    assertEquals(0.84, levels.get(0).get("level").asDouble());
+    assertEquals(404, get("api/v1/robots/r9/battery").statusCode());
   }
 
   @Test

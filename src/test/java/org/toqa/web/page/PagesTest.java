@@ -5,16 +5,23 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.net.http.HttpResponse;
+import java.time.Instant;
+import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.toqa.fleet.RobotState;
+import org.toqa.fleet.RobotView;
+import org.toqa.fleet.RobotView.Readings;
+import org.toqa.fleet.RobotView.Telemetry;
+import org.toqa.fleet.history.BatteryLevel;
 import org.toqa.geometry.Pose;
 import org.toqa.testbed.Hall;
 import org.toqa.web.WebServerTest;
@@ -279,6 +286,46 @@ class PagesTest extends WebServerTest {
         manager.post("robots/r1/locate", Map.of("x", "0.1", "y", "0.1", "heading", "0"));
     assertEquals(422, inWall.statusCode());
     assertTrue(inWall.body().contains("There is a wall."));
+  }
+
+  @Test
+  void whatARobotReportsIsShown() {
+    RobotView lost = Hall.robot("r8", RobotState.LOST, new Pose(1, 1, 0), "10.0.0.7", 7277);
+    Telemetry said = lost.telemetry();
+    RobotView robot =
+        lost.withTelemetry(
+                new Telemetry(
+                    said.pose(),
+                    said.battery(),
+                    new Readings(0.23, 0.0, List.of(0.45, 0.8, 0.1), 0.03),
+                    List.of(),
+                    said.lastSeen()))
+            .withUnreachable(Phrase.NOBODY_LISTENS.with("r8", "10.0.0.7:7277"));
+    server
+        .fleet()
+        .changeRobots(robots -> Stream.concat(robots.stream(), Stream.of(robot)).toList());
+    server.store().saveRobot(robot.record());
+    Instant at = server.fleet().latest().at();
+    server
+        .tracks()
+        .addBatteryLevels(
+            List.of(
+                new BatteryLevel("r8", at.minusSeconds(7200), 0.84),
+                new BatteryLevel("r8", at.minusSeconds(60), 0.8)));
+
+    String list = clerk.get("robots").body();
+    String page = clerk.get("robots/r8").body();
+
+    for (String text : List.of("0.23 m/s", "10.0.0.7:7277", "data-last-seen=\"r8\"")) {
+      assertTrue(list.contains(text), text);
+      assertTrue(page.contains(text), text);
+    }
+    assertTrue(page.contains("No program accepts connections at 10.0.0.7:7277. Check that"));
+    assertTrue(page.contains("0.03 m"), "off its place");
+    assertTrue(page.contains("0.45, 0.80, 0.10"), "the ranges");
+    assertTrue(page.contains("has never been connected"));
+    assertTrue(page.contains("<polyline points=\"200.0,16.0 398.3,20.0 400.0,20.0\""));
+    server.fleet().changeRobots(robots -> robots.stream().filter(r -> !r.name().equals("r8")).toList());
   }
 
   @Test

@@ -384,6 +384,7 @@ public final class RobotControl {
         activity.drive().map(DriveRun::reportedSegment).orElse(0),
         activity.drive().map(DriveRun::reportedRelease).orElse(0),
         avoider.obstacles(),
+        activity instanceof Following following ? following.follower().error() : null,
         faults());
   }
 }

@@ -2,6 +2,7 @@ package org.toqa.agent.control;
 
 import java.util.List;
 import java.util.stream.Stream;
+import org.jspecify.annotations.Nullable;
 import org.toqa.agent.chassis.ChassisReading;
 import org.toqa.agent.config.AgentConfig;
 import org.toqa.agent.storage.JournalEntry;
@@ -23,6 +24,7 @@ import org.toqa.link.message.AgentMessage.State;
  * @param segment how many segments of the drive are completed
  * @param released how many may be driven
  * @param obstacles points where something blocks its path, map frame
+ * @param placeError metres off its place beside its leader; null: it does not follow
  */
 public record RobotReport(
     AgentConfig config,
@@ -35,6 +37,7 @@ public record RobotReport(
     int segment,
     int released,
     List<Vec2> obstacles,
+    @Nullable Double placeError,
     List<Fault> errors) {
 
   public Hello hello() {
@@ -79,6 +82,7 @@ public record RobotReport(
         reading.battery(),
         reading.ranges(),
         obstacles,
+        placeError,
         notes.isEmpty() ? errors : Stream.concat(errors.stream(), notes.stream()).toList());
   }
 }

@@ -58,6 +58,11 @@ public final class FormationFollower {
     return trouble == Trouble.LEADER_LOST || trouble == Trouble.TOO_FAR;
   }
 
+  /** Metres off its place; 0 before its leader's first pose. */
+  public double error() {
+    return follower.error();
+  }
+
   public FollowerReport report(Pose actual, Mode mode) {
     return new FollowerReport(order.task(), lastSeq, actual, follower.error(), mode);
   }
