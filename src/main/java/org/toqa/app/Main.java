@@ -1,6 +1,10 @@
 package org.toqa.app;
 
 import java.io.PrintWriter;
+import java.nio.file.AccessDeniedException;
+import java.nio.file.FileAlreadyExistsException;
+import java.nio.file.FileSystemException;
+import java.nio.file.NoSuchFileException;
 import java.util.List;
 import java.util.Set;
 import java.util.TreeSet;
@@ -91,8 +95,24 @@ public final class Main implements Runnable {
   }
 
   private static int reportFailure(Exception e, CommandLine command) {
-    printError(command.getErr(), String.valueOf(e.getMessage()));
+    printError(
+        command.getErr(),
+        e instanceof FileSystemException failed
+            ? fileMessage(failed)
+            : String.valueOf(e.getMessage()));
     return e instanceof ConfigurationException ? ExitCode.USAGE : ExitCode.SOFTWARE;
+  }
+
+  /** Of an error of a file system, whose own message is often no more than the file's name. */
+  private static String fileMessage(FileSystemException e) {
+    String reason =
+        switch (e) {
+          case AccessDeniedException _ -> "this user may not read or write it";
+          case NoSuchFileException _ -> "it is not there, and cannot be made";
+          case FileAlreadyExistsException _ -> "it is a file, not a folder";
+          default -> e.getReason() == null ? "it cannot be read or written" : e.getReason();
+        };
+    return e.getFile() + ": " + reason + "; choose another one, or mend that.";
   }
 
   private static void printError(PrintWriter err, String sentence) {

@@ -14,7 +14,7 @@ class H2UrlTest {
   @Test
   void aFileLosesNoCommittedRow() {
     assertEquals(
-        "jdbc:h2:file:/data/toqa" + DIALECT + ";RETENTION_TIME=5000;WRITE_DELAY=0",
+        "jdbc:h2:file:/data/toqa" + DIALECT + ";RETENTION_TIME=5000;TRACE_LEVEL_FILE=0;WRITE_DELAY=0",
         H2Url.withSettings(H2Url.ofFile(Path.of("/data/toqa"))));
   }
 
@@ -22,7 +22,7 @@ class H2UrlTest {
   void whatTheUrlSaysItselfStays() {
     assertEquals(
         "jdbc:h2:./x;mode=MySQL;write_delay=500;CASE_INSENSITIVE_IDENTIFIERS=TRUE"
-            + ";DATABASE_TO_LOWER=TRUE;RETENTION_TIME=5000",
+            + ";DATABASE_TO_LOWER=TRUE;RETENTION_TIME=5000;TRACE_LEVEL_FILE=0",
         H2Url.withSettings("jdbc:h2:./x;mode=MySQL;write_delay=500"));
   }
 

@@ -60,7 +60,7 @@ public final class Main implements Callable<Integer> {
 
   private static int printError(ParameterException e) {
     String sentence = String.valueOf(e.getMessage()).lines().findFirst().orElse("");
-    e.getCommandLine().getErr().println(sentence + " (agent --help lists what there is)");
+    e.getCommandLine().getErr().println(sentence + " (./toqa agent --help lists what there is)");
     return WRONG_CONFIGURATION;
   }
 
@@ -113,7 +113,7 @@ public final class Main implements Callable<Integer> {
         .println(
             "Pairing code: "
                 + code
-                + " (good for ten minutes; enter it at the server, page ROBOT, with this robot's"
+                + " (good for ten minutes; enter it at the server, page Robots, with this robot's"
                 + " address and port)");
   }
 

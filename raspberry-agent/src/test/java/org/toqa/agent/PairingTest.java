@@ -254,7 +254,7 @@ class PairingTest {
 
   private Object say(LinkTls who, String proof) throws IOException {
     try (LinkSocket link = pairing(who)) {
-      link.out().write(LinkCodec.encode(new Pair(proof)));
+      link.out().write(LinkCodec.encode(new Pair(null, proof)));
       LineReader.Line answer = new LineReader(link.in()).readLine();
       return assertInstanceOf(
               Decoded.class, LinkCodec.decodePairingMessage(Objects.requireNonNull(answer)))
@@ -294,16 +294,21 @@ class PairingTest {
   }
 
   @Test
-  void robotOfAnotherNameIsNotTaken() {
+  void robotOfAnotherNameIsNotTakenAndStaysWithItsServer() throws IOException {
+    Fingerprint robot = assertInstanceOf(Paired.class, pair(other, code())).robot();
+    restart(true);
+
     PairingResult result =
         new TcpRobotLinkFactory(server, false)
             .pair(
                 new RobotAddress("r2", "127.0.0.1", daemon().port(), null),
                 PairingCode.parse(code()).orElseThrow());
 
-    assertEquals(
-        new Unreachable(Phrase.HAS_ANOTHER_NAME.with("127.0.0.1:" + daemon().port(), "r2")),
-        result);
+    assertEquals(new Refused(Sentence.verbatim("The robot here is called r1, not r2.")), result);
+    try (LinkSocket before =
+        other.connect(socket(), LinkTls.LINK, (peer, _) -> peer.equals(robot), LIMIT)) {
+      daemonGreets(before);
+    }
   }
 
   @Test

@@ -17,6 +17,7 @@ import java.util.TreeSet;
 import java.util.function.Function;
 import org.jspecify.annotations.Nullable;
 import org.toqa.accounts.PasswordHasher;
+import org.toqa.accounts.PasswordRules;
 import org.toqa.allocation.Policy;
 import org.toqa.app.config.Configuration.DatabaseSettings;
 import org.toqa.app.config.Configuration.FirstManager;
@@ -315,7 +316,14 @@ record ConfigurationReader(List<SettingSource> layers) {
     if (password.startsWith("$argon2") && !PasswordHasher.isHash(password)) {
       throw outOfRange(Setting.MANAGER);
     }
-    return new FirstManager(text.substring(0, colon), password);
+    String name = text.substring(0, colon);
+    if (!PasswordHasher.isHash(password) && PasswordRules.violation(password, name).isPresent()) {
+      throw invalid(
+          Setting.MANAGER,
+          "the password must have %d to %d characters, and be none that is guessed first."
+              .formatted(PasswordRules.MIN_LENGTH, PasswordRules.MAX_LENGTH));
+    }
+    return new FirstManager(name, password);
   }
 
   private @Nullable MailServer mailServer() throws ConfigurationException {

@@ -1,8 +1,8 @@
 package org.toqa.app.gateway;
 
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.concurrent.Callable;
+import org.toqa.link.trust.PrivateFolder;
 import org.toqa.app.command.StopSignal;
 import org.toqa.link.gateway.GatewayAgent;
 import org.toqa.link.trust.IdentityFile;
@@ -27,7 +27,7 @@ public final class GatewayCommand implements Callable<Integer> {
   @Override
   public Integer call() throws Exception {
     GatewayConfiguration configuration = GatewayConfiguration.read(config);
-    Files.createDirectories(configuration.data());
+    PrivateFolder.create(configuration.data());
     LinkTls tls = new LinkTls(IdentityFile.open(configuration.data()));
     System.err.println("The fingerprint of this gateway is " + tls.fingerprint());
     try (StopSignal stop = new StopSignal();

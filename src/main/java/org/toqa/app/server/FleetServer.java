@@ -2,7 +2,6 @@ package org.toqa.app.server;
 
 import com.github.benmanes.caffeine.cache.Ticker;
 import java.io.IOException;
-import java.nio.file.Files;
 import java.time.Duration;
 import java.time.InstantSource;
 import java.util.ArrayDeque;
@@ -15,6 +14,7 @@ import java.util.function.Function;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
+import org.toqa.link.trust.PrivateFolder;
 import org.toqa.accounts.AccountStore;
 import org.toqa.accounts.Authenticator;
 import org.toqa.accounts.FirstStartCode;
@@ -129,7 +129,7 @@ public final class FleetServer implements AutoCloseable {
       Configuration configuration, PasswordHasher passwords, Deque<AutoCloseable> parts)
       throws IOException {
     FloorMap floor = FloorReader.read(configuration.map());
-    Files.createDirectories(configuration.data());
+    PrivateFolder.create(configuration.data());
     Database database = openDatabase(configuration.database());
     parts.push(database);
     JdbiFleetStore store = new JdbiFleetStore(database.jdbi());
@@ -258,6 +258,13 @@ public final class FleetServer implements AutoCloseable {
       String password = settings.password() == null ? "" : settings.password();
       return Database.open(settings.url(), user, password);
     } catch (RuntimeException e) {
+      if (Database.isInUseElsewhere(e)) {
+        throw new IOException(
+            "Another server uses the database "
+                + withoutCredentials(settings.url())
+                + ": stop it, or give this one another folder by --data.",
+            e);
+      }
       throw new IOException(
           "The database "
               + withoutCredentials(settings.url())

@@ -222,14 +222,13 @@ public final class LinkCodec {
   private static void addMissingFields(JsonNode message) {
     switch (message.path("type").asString("")) {
       case "drive" -> addIfMissing(message, "load", 0);
+      case "pair" -> addNullIfMissing(message, "robot");
       case "hello" -> {
         addIfMissing(message, "maxTurnRate", MAX_TURN_RATE_NOT_SENT);
         addIfMissing(message, "sensorRange", SENSOR_RANGE_NOT_SENT);
       }
       case "state" -> {
-        if (message instanceof ObjectNode state && !state.has("placeError")) {
-          state.putNull("placeError");
-        }
+        addNullIfMissing(message, "placeError");
         message.path("errors").valueStream().forEach(error -> addIfMissing(error, "clearable"));
       }
       default -> {}
@@ -239,6 +238,12 @@ public final class LinkCodec {
   private static void addIfMissing(JsonNode node, String field, double value) {
     if (node instanceof ObjectNode object && !object.has(field)) {
       object.put(field, value);
+    }
+  }
+
+  private static void addNullIfMissing(JsonNode node, String field) {
+    if (node instanceof ObjectNode object && !object.has(field)) {
+      object.putNull(field);
     }
   }
 

@@ -179,12 +179,12 @@ final class JsonFields implements Fields {
   /** An object with the name of a station, or with coordinates. */
   @Override
   public Where place(String name) {
-    Optional<JsonFields> place = optionalObject(name);
+    Optional<JsonNode> place = value(name).filter(JsonNode::isObject);
     if (place.isEmpty()) {
       errors.add(path(name), texts.get("error.place.missing", name));
       return new Where.Station("");
     }
-    return place(name, place.get());
+    return place(name, new JsonFields(place.get(), path(name) + ".", texts, errors));
   }
 
   private Where place(String name, JsonFields place) {

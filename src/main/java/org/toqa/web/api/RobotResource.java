@@ -135,8 +135,8 @@ public final class RobotResource extends ApiHandler {
     InputRules rules = fields.rules();
     Pose pose =
         new Pose(
-            rules.coordinate("x", fields.number("x")),
-            rules.coordinate("y", fields.number("y")),
+            rules.coordinateOfPose("x", fields.number("x")),
+            rules.coordinateOfPose("y", fields.number("y")),
             rules.angle("theta", fields.number("theta")));
     fields.refuseUnknown();
     return pose;

@@ -37,7 +37,7 @@ public final class InputRules {
   private static final double MAX_LOAD = 100_000;
 
   /** Metres, of a load's side. */
-  private static final double MAX_SIDE = 100;
+  private static final double MAX_SIDE = 10;
 
   /** Metres from the map's origin. */
   private static final double MAX_COORDINATE = 1_000_000;
@@ -84,10 +84,19 @@ public final class InputRules {
     return inRange(field, given, 0, MAX_LOAD, "error.load.missing", "error.load.range");
   }
 
-  /** Metres, map frame. */
+  /** Metres, map frame; of a place that may also be a station. */
   public double coordinate(String field, @Nullable Double given) {
+    return coordinate(field, given, "error.coordinate.missing");
+  }
+
+  /** The same, where no station can be chosen. */
+  public double coordinateOfPose(String field, @Nullable Double given) {
+    return coordinate(field, given, "error.position.missing");
+  }
+
+  private double coordinate(String field, @Nullable Double given, String missing) {
     if (given == null) {
-      refuse(field, "error.coordinate.missing");
+      refuse(field, missing);
       return 0;
     }
     if (!(Math.abs(given) <= MAX_COORDINATE)) {

@@ -180,8 +180,8 @@ public final class RobotPage extends PageHandler {
   private static Pose readPose(Fields fields) {
     InputRules rules = fields.rules();
     return new Pose(
-        rules.coordinate("x", fields.number("x")),
-        rules.coordinate("y", fields.number("y")),
+        rules.coordinateOfPose("x", fields.number("x")),
+        rules.coordinateOfPose("y", fields.number("y")),
         Math.toRadians(rules.angle("heading", fields.number("heading"))));
   }
 

@@ -85,11 +85,11 @@ class ConfigurationTest {
   @Test
   void theFirstManagerIsSplitAtTheFirstColon() throws Exception {
     SettingSource environment =
-        SettingSource.fromEnvironment(Map.of("TOQA_MANAGER", "mia:pass:word"));
+        SettingSource.fromEnvironment(Map.of("TOQA_MANAGER", "mia:long:enough"));
 
     Configuration configuration = Configuration.of(SHIPPED_MAP, List.of(environment));
 
-    assertEquals(new Configuration.FirstManager("mia", "pass:word"), configuration.firstManager());
+    assertEquals(new Configuration.FirstManager("mia", "long:enough"), configuration.firstManager());
   }
 
   @Test
@@ -156,6 +156,12 @@ class ConfigurationTest {
 
     assertContains("name:password", sentence);
     assertFalse(sentence.contains("secret"), sentence);
+  }
+
+  @ParameterizedTest
+  @CsvSource({"mia:a", "mia:password123", "mia-the-first:mia-the-first"})
+  void aManagersPasswordThatIsGuessedFirstIsRefused(String value) {
+    assertContains("guessed first", complaint(commandLine(Setting.MANAGER, value)));
   }
 
   @ParameterizedTest

@@ -92,10 +92,10 @@ class ApiTasksTest extends ApiTestServer {
           """
           {"name":"x","load":"2","start":{"station":"Dock A"},"goal":{"station":"Shelf 3"}} | 422 | “load” must be a number without quotation marks.
           {"name":7,"load":2,"start":{"station":"Dock A"},"goal":{"station":"Shelf 3"}} | 422 | “name” must be a text in quotation marks.
-          {"name":"x","load":2,"start":"Dock A","goal":{"station":"Shelf 3"}} | 422 | “start” must be an object in braces.
+          {"name":"x","load":2,"start":"Dock A","goal":{"station":"Shelf 3"}} | 422 | “start” must be an object with the name of a station ("station": "Store A") or with x and y in metres ("x": 1.5, "y": 2).
           {"name":"x","load":2,"start":{"x":1},"goal":{"station":"Shelf 3"}} | 422 | Choose a station, or enter x and y in metres.
-          {"name":"x","load":2,"start":{"x":1,"y":1,"station":"Dock A"},"goal":{"station":"Shelf 3"}} | 422 | “start” needs either a station’s name or x and y in metres.
-          {"name":"x","load":2,"goal":{"station":"Shelf 3"}} | 422 | “start” needs either a station’s name or x and y in metres.
+          {"name":"x","load":2,"start":{"x":1,"y":1,"station":"Dock A"},"goal":{"station":"Shelf 3"}} | 422 | “start” must be an object with the name of a station ("station": "Store A") or with x and y in metres ("x": 1.5, "y": 2).
+          {"name":"x","load":2,"goal":{"station":"Shelf 3"}} | 422 | “start” must be an object with the name of a station ("station": "Store A") or with x and y in metres ("x": 1.5, "y": 2).
           {"name":"x","load":2,"start":{"station":"Dock A"},"goal":{"station":"Shelf 3"},"colour":"red"} | 422 | Unknown field “colour”. Allowed: name, load, start, goal, floor, priority, deadline, size.
           {"name":"x","load":2,"start":{"station":"Dock A","z":1},"goal":{"station":"Shelf 3"}} | 422 | Unknown field “start.z”. Allowed: station.
           {"name":"x","load":0,"start":{"station":"Dock A"},"goal":{"station":"Shelf 3"}} | 422 | The weight must be above 0 and at most 100,000 kg.

@@ -59,8 +59,8 @@ final class PairingHandler {
       LineReader.Line line = new LineReader(link.in()).readLine();
       if (line != null
           && LinkCodec.decodePairingMessage(line)
-              instanceof Decoded<PairingMessage>(Pair(var proof))) {
-        link.out().write(LinkCodec.encode(answerTo(proof, link)));
+              instanceof Decoded<PairingMessage>(Pair request)) {
+        link.out().write(LinkCodec.encode(answerTo(request, link)));
       } else {
         rejected.record("The pairing request of %s is not valid.", link.remoteAddress());
       }
@@ -69,15 +69,18 @@ final class PairingHandler {
     }
   }
 
-  private PairingMessage answerTo(String proof, LinkSocket link) {
+  private PairingMessage answerTo(Pair request, LinkSocket link) {
     Fingerprint server = Objects.requireNonNull(link.peer());
     PairingOffer open = offer;
     if (open == null) {
       return reject(robot + " shows no code; start its daemon with --pair.", link);
     }
-    Optional<String> objection = open.redeem(proof, server);
+    Optional<String> objection = open.redeem(request.proof(), server);
     if (objection.isPresent()) {
       return reject(objection.get(), link);
+    }
+    if (request.robot() != null && !request.robot().equals(robot)) {
+      return reject("The robot here is called %s, not %s.".formatted(robot, request.robot()), link);
     }
     try {
       policy.setServer(server);

@@ -59,7 +59,7 @@ public record AgentConfig(
     "chassis"
   };
 
-  private static final Pattern NAME = Pattern.compile("[A-Za-z0-9][A-Za-z0-9_-]{0,31}");
+  private static final Pattern NAME = Pattern.compile("[A-Za-z0-9][A-Za-z0-9._-]{0,63}");
 
   /**
    * How it keeps its place beside a leader.
@@ -115,7 +115,7 @@ public record AgentConfig(
   private static String robotName(ConfigSection top) throws ConfigException {
     String name = top.text("name");
     if (!NAME.matcher(name).matches()) {
-      throw top.invalid("name", name, "1 to 32 letters, digits, - and _");
+      throw top.invalid("name", name, "1 to 64 letters, digits, dots, - and _, and begin with a letter or digit");
     }
     return name;
   }

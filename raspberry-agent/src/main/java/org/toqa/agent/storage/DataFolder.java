@@ -7,6 +7,7 @@ import java.nio.channels.OverlappingFileLockException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
+import org.toqa.link.trust.PrivateFolder;
 import org.jspecify.annotations.Nullable;
 
 /** A daemon's folder, owned by one daemon at a time. */
@@ -23,7 +24,7 @@ public final class DataFolder implements AutoCloseable {
    */
   public DataFolder(Path path) throws IOException {
     this.path = path;
-    Files.createDirectories(path);
+    PrivateFolder.create(path);
     lockFile =
         FileChannel.open(path.resolve("lock"), StandardOpenOption.CREATE, StandardOpenOption.WRITE);
     if (tryLock() == null) {

@@ -94,7 +94,7 @@ class AgentConfigTest {
           {name: r1, dataDir: d, following: {placeGain: 50}} | "following.placeGain" is 50; it must be a number from 0.1 to 5.
           {name: r1, dataDir: d}              | the key "chassis.type" is missing.
           {dataDir: d}                        | the key "name" is missing.
-          {name: a b, dataDir: d}             | "name" is a b; it must be 1 to 32 letters, digits, - and _.
+          {name: a b, dataDir: d}             | "name" is a b; it must be 1 to 64 letters, digits, dots, - and _, and begin with a letter or digit.
           {name: 7, dataDir: d}               | "name" is 7; it must be a text.
           {name: r1, dataDir: d, port: 70000} | "port" is 70000; it must be a whole number from 0 to 65535.
           {name: r1, dataDir: d, port: 1.5}   | "port" is 1.5; it must be a whole number from 0 to 65535.
