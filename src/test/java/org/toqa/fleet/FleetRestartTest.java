@@ -191,8 +191,9 @@ class FleetRestartTest extends HallFleetTest {
                         alert
                             .english()
                             .equals(
-                                "No map is named old hall any more, where 0 robots and 1 open tasks"
-                                    + " are: give its map that name again")));
+                                "No map is named old hall any more; its robots (0) and open tasks"
+                                    + " (1) are left behind: start the server with a map of that"
+                                    + " name")));
     until(view -> waitReason(view, task).startsWith("No map is named old hall any more"));
     accepted(stage.fleet.commandTask(task, new MissionEvent.Cancel("Max", null)));
     until(view -> task(view, task).state() == TaskState.CANCELLED);

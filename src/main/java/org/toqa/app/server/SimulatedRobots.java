@@ -5,6 +5,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.Stream;
+import org.toqa.app.command.TemporaryFolder;
 import org.toqa.app.config.Configuration;
 import org.toqa.fleet.FleetStore;
 import org.toqa.fleet.RobotRecord;
@@ -43,11 +44,11 @@ final class SimulatedRobots {
           new SimulatedRobot(
               "r" + (i + 1), start, MAX_LOAD, initialBattery(configuration, i), firmware));
     }
+    Path folders = configuration.data().resolve("robots");
+    List<RobotRecord> known = knownRobots(store, robots, floor, folders);
     SimulatedFleet simulated =
-        SimulatedFleet.open(
-            configuration.data().resolve("robots"), robots, SimulatedFloor.of(floor), clock);
+        SimulatedFleet.open(folders, robots, SimulatedFloor.of(floor), clock);
     try {
-      List<RobotRecord> known = store.robots();
       for (int i = 0; i < robots.size(); i++) {
         String name = robots.get(i).name();
         int port = simulated.port(name);
@@ -57,17 +58,42 @@ final class SimulatedRobots {
                 name, floor.name(), "127.0.0.1", port, MAX_LOAD, parking, true, null);
         store.saveRobot(
             known.stream()
-                .filter(r -> r.simulated() && r.name().equals(name))
-                .filter(r -> r.floor().equals(floor.name()))
-                .map(r -> r.withAddress("127.0.0.1", port))
+                .filter(r -> r.name().equals(name))
                 .findFirst()
+                .map(r -> r.withAddress("127.0.0.1", port))
                 .orElse(fresh));
       }
       return simulated;
     } catch (StoreException e) {
       simulated.close();
-      throw new IOException("The simulated robots cannot be stored: " + e.getMessage(), e);
+      throw cannotBeStored(e);
     }
+  }
+
+  /** Those of them that are on the floor; who is on a floor of another map begins anew here. */
+  private static List<RobotRecord> knownRobots(
+      FleetStore store, List<SimulatedRobot> robots, FloorMap floor, Path folders)
+      throws IOException {
+    try {
+      List<RobotRecord> known = new ArrayList<>();
+      List<String> names = robots.stream().map(SimulatedRobot::name).toList();
+      for (RobotRecord robot : store.robots()) {
+        if (robot.simulated() && names.contains(robot.name())) {
+          if (robot.floor().equals(floor.name())) {
+            known.add(robot);
+          } else {
+            new TemporaryFolder(folders.resolve(robot.name())).close();
+          }
+        }
+      }
+      return known;
+    } catch (StoreException e) {
+      throw cannotBeStored(e);
+    }
+  }
+
+  private static IOException cannotBeStored(StoreException e) {
+    return new IOException("The simulated robots cannot be stored: " + e.getMessage(), e);
   }
 
   private static double initialBattery(Configuration configuration, int robot) {
@@ -83,9 +109,9 @@ final class SimulatedRobots {
       throw new IOException(
           "The map "
               + floor.name()
-              + " has room for "
+              + " has no room for so many robots; simulate "
               + places.size()
-              + " robots: simulate fewer.");
+              + " at most.");
     }
     return places;
   }
