@@ -114,15 +114,7 @@ public final class AgentFleet implements Fleet, AutoCloseable {
     this.runtime = runtime;
     this.latestSnapshot =
         new LatestSnapshot(
-            new FleetSnapshot(
-                0,
-                clock.instant(),
-                List.of(),
-                List.of(),
-                0,
-                List.of(),
-                store.pause().orElse(null),
-                List.of()));
+            FleetSnapshot.initial(clock.instant(), store.pause().orElse(null)));
     OrderChecks checks = OrderChecks.of(runtime, rules.checksPerUser());
     this.system =
         ActorSystem.create(
