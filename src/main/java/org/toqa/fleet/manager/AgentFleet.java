@@ -113,8 +113,7 @@ public final class AgentFleet implements Fleet, AutoCloseable {
     this.floors = List.copyOf(floors);
     this.runtime = runtime;
     this.latestSnapshot =
-        new LatestSnapshot(
-            FleetSnapshot.initial(clock.instant(), store.pause().orElse(null)));
+        new LatestSnapshot(FleetSnapshot.initial(clock.instant(), store.pause().orElse(null)));
     OrderChecks checks = OrderChecks.of(runtime, rules.checksPerUser());
     this.system =
         ActorSystem.create(
