@@ -34,6 +34,11 @@ public record FleetSnapshot(
     alerts = List.copyOf(alerts);
   }
 
+  /** Of a fleet that nothing is known of yet but whether it is paused. */
+  public static FleetSnapshot initial(Instant at, @Nullable Hold pause) {
+    return new FleetSnapshot(0, at, List.of(), List.of(), 0, List.of(), pause, List.of());
+  }
+
   /** The same with another version and other alerts. */
   public FleetSnapshot with(long otherVersion, List<Sentence> otherAlerts) {
     return new FleetSnapshot(

@@ -38,7 +38,7 @@ record PairingClient(RobotConnector connector, RobotAddress address, PairingCode
   PairingResult pair() {
     long end = System.nanoTime() + LIMIT.toNanos();
     try {
-      LinkSocket carrier = connector.reach(address);
+      LinkSocket carrier = connector.reachToPair(address);
       try (LinkSocket link =
               connector
                   .tls()

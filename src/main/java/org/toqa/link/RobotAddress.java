@@ -28,6 +28,6 @@ public record RobotAddress(
   /** For sentences, with the gateway. */
   String place() {
     String hostAndPort = host + ":" + port;
-    return gateway == null ? hostAndPort : hostAndPort + " (" + gateway + ")";
+    return gateway == null ? hostAndPort : gateway + "/" + hostAndPort;
   }
 }

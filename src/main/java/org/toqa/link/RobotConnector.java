@@ -50,11 +50,10 @@ final class RobotConnector {
    * @param silence the longest wait for a byte
    */
   LinkSocket connect(RobotAddress to, Duration silence) throws LinkException {
-    checkEncryption(to);
-    LinkSocket carrier = reach(to);
+    Fingerprint pinned = to.fingerprint();
+    LinkSocket carrier = reach(to, pinned != null || plainOffLoopback);
     try {
       carrier.setReadLimit(silence);
-      Fingerprint pinned = to.fingerprint();
       return pinned == null
           ? carrier
           : tls.connect(carrier, LinkTls.LINK, (peer, _) -> peer.equals(pinned), HANDSHAKE_LIMIT);
@@ -65,25 +64,34 @@ final class RobotConnector {
     }
   }
 
-  /** What lies behind a gateway is on another machine. */
-  private void checkEncryption(RobotAddress to) throws LinkException {
-    if (to.fingerprint() != null || plainOffLoopback) {
-      return;
+  /**
+   * A connection to whoever listens there, and nothing said yet.
+   *
+   * @param isGuarded what is said on it will be encrypted, or need not be; else only on loopback
+   */
+  private LinkSocket reach(RobotAddress to, boolean isGuarded) throws LinkException {
+    String gateway = to.gateway();
+    if (gateway != null) {
+      if (!isGuarded) {
+        throw notPaired(to);
+      }
+      return reachThrough(gateway, to);
     }
-    InetAddress ip =
-        to.gateway() == null ? new InetSocketAddress(to.host(), to.port()).getAddress() : null;
-    boolean isOnLoopback = ip != null && ip.isLoopbackAddress();
-    if (to.gateway() != null || (ip != null && !isOnLoopback)) {
-      throw LinkException.trustFailure(Phrase.NOT_PAIRED.with(to.robot(), to.place()));
+    InetSocketAddress address = new InetSocketAddress(to.host(), to.port());
+    InetAddress ip = address.getAddress();
+    if (!isGuarded && ip != null && !ip.isLoopbackAddress()) {
+      throw notPaired(to);
     }
+    return LinkSocket.plain(connectTcp(to.robot(), to.place(), address));
   }
 
-  /** A connection to whoever listens there, and nothing said yet. */
-  LinkSocket reach(RobotAddress to) throws LinkException {
-    String gateway = to.gateway();
-    return gateway == null
-        ? LinkSocket.plain(connectTcp(to.robot(), to.place(), to.host(), to.port()))
-        : reachThrough(gateway, to);
+  /** A connection to whoever listens there, to pair with him by TLS. */
+  LinkSocket reachToPair(RobotAddress to) throws LinkException {
+    return reach(to, true);
+  }
+
+  private static LinkException notPaired(RobotAddress to) {
+    return LinkException.trustFailure(Phrase.NOT_PAIRED.with(to.robot(), to.place()));
   }
 
   private LinkSocket reachThrough(String gateway, RobotAddress to) throws LinkException {
@@ -110,12 +118,12 @@ final class RobotConnector {
     }
   }
 
-  private static Socket connectTcp(String robot, String place, String host, int port)
+  private static Socket connectTcp(String robot, String place, InetSocketAddress address)
       throws LinkException {
     Socket socket = new Socket();
     try {
       socket.setTcpNoDelay(true);
-      socket.connect(new InetSocketAddress(host, port), (int) CONNECT_LIMIT.toMillis());
+      socket.connect(address, (int) CONNECT_LIMIT.toMillis());
       return socket;
     } catch (IOException e) {
       try {

@@ -47,7 +47,7 @@ final class SimulatedLinks implements RobotLinkFactory, Participant {
 
   @Override
   public RobotLink open(RobotAddress address, RobotLink.Listener listener) {
-    if (!isSimulated.test(address.port())) {
+    if (address.gateway() != null || !isSimulated.test(address.port())) {
       return links.open(address, listener);
     }
     Listener heard = new Listener(listener);

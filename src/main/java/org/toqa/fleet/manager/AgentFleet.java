@@ -113,16 +113,7 @@ public final class AgentFleet implements Fleet, AutoCloseable {
     this.floors = List.copyOf(floors);
     this.runtime = runtime;
     this.latestSnapshot =
-        new LatestSnapshot(
-            new FleetSnapshot(
-                0,
-                clock.instant(),
-                List.of(),
-                List.of(),
-                0,
-                List.of(),
-                store.pause().orElse(null),
-                List.of()));
+        new LatestSnapshot(FleetSnapshot.initial(clock.instant(), store.pause().orElse(null)));
     OrderChecks checks = OrderChecks.of(runtime, rules.checksPerUser());
     this.system =
         ActorSystem.create(
