@@ -115,6 +115,9 @@ final class RobotConnection implements AutoCloseable {
       if (hasWaited && channel.peer() == null && unreadable == 0) {
         throw LinkException.trustFailure(Phrase.SAYS_NOTHING.with(robot, hostAndPort));
       }
+      if (unreadable > 0) {
+        throw new LinkException(Phrase.SAYS_NO_HELLO.with(hostAndPort, robot));
+      }
       throw e;
     }
   }

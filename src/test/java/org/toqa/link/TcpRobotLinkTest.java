@@ -139,6 +139,17 @@ class TcpRobotLinkTest {
   }
 
   @Test
+  void whatIsNoRobotIsNotCalledSilent() throws Exception {
+    try (Socket socket = robot.accept()) {
+      say(socket, "SSH-2.0-OpenSSH_9.9");
+      socket.shutdownOutput();
+
+      String why = heard.await(LinkRecorder.End.class).sentence();
+      assertTrue(why.endsWith("it does not begin as a robot does. Check address and port."), why);
+    }
+  }
+
+  @Test
   void silentPeerIsLeftAfterFiveSeconds() throws Exception {
     try (Socket socket = greet()) {
       assertEquals(

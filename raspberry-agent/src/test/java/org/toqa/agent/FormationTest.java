@@ -1,6 +1,8 @@
 package org.toqa.agent;
 
+import static java.util.Objects.requireNonNull;
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.nio.file.Path;
@@ -55,7 +57,10 @@ class FormationTest {
     State onTheWay = group.server(1).awaitState(s -> s.twist().v() > 0.2);
     assertEquals(Role.FOLLOWER, onTheWay.role());
     assertEquals(Mode.FOLLOWING, onTheWay.mode());
-    assertEquals(Role.LEADER, group.server(0).awaitState(s -> true).role());
+    assertEquals(0, requireNonNull(onTheWay.placeError()), FormationRig.TOLERANCE);
+    State leader = group.server(0).awaitState(s -> true);
+    assertEquals(Role.LEADER, leader.role());
+    assertNull(leader.placeError());
 
     // each of the followers' flags has the number of its order to follow
     assertEquals(new Done(FormationRig.TASK, 2, 2), group.server(0).awaitDone());

@@ -1,5 +1,6 @@
 package org.toqa.fleet.history;
 
+import java.time.Duration;
 import java.time.Instant;
 
 /**
@@ -9,11 +10,14 @@ import java.time.Instant;
  */
 public record BatteryLevel(String robot, Instant at, double level) {
 
-  /** A level is written down when it has changed by that much. */
-  static final double STEP = 0.01;
+  private static final double STEP = 0.01;
+
+  /** A battery changes more slowly; a robot that says otherwise fills no database. */
+  private static final Duration SHORTEST = Duration.ofSeconds(2);
 
   /** Whether it says anything new after the one before. */
   boolean isNewAfter(BatteryLevel before) {
-    return Math.round(level / STEP) != Math.round(before.level / STEP);
+    return Math.round(level / STEP) != Math.round(before.level / STEP)
+        && !at.isBefore(before.at.plus(SHORTEST));
   }
 }

@@ -68,6 +68,7 @@ final class AttackRun implements AutoCloseable {
     server = AttackedServer.start(data, settings);
     manager = server.signedIn(AttackedServer.MANAGER);
     csrf = manager.csrf();
+    addWaitingTask();
     tasks = new CarriedTasks(manager, Attack.SCRIPT.text());
     server.addUser(OWN);
     places.put("own", String.valueOf(server.userId(OWN)));
@@ -77,9 +78,6 @@ final class AttackRun implements AutoCloseable {
     places.put("name", "Absent");
     String robot = "{\"name\":\"Absent\",\"host\":\"127.0.0.1\",\"port\":9,\"maxLoad\":50}";
     assertEquals(201, manager.postJson("api/v1/robots", robot).statusCode());
-    String heavy = ORDER.replace("\"load\":2", "\"load\":20"); // for the one that is absent
-    HttpResponse<String> waiting = manager.postJson("api/v1/tasks", heavy);
-    places.put("waiting", JSON.readTree(waiting.body()).get("id").asString());
     String schedule = "{\"task\":" + ORDER + ",\"at\":\"2099-01-01T10:00:00Z\"}";
     assertEquals(201, manager.postJson("api/v1/schedules", schedule).statusCode());
   }
@@ -117,6 +115,24 @@ final class AttackRun implements AutoCloseable {
   /** Somebody whom nobody else is, so that what fails for him hinders nobody. */
   void addGuest() {
     server.addUser("guest" + tried);
+  }
+
+  /** A task that no robot is ever given, since it was on hold before there was one. */
+  private void addWaitingTask() {
+    commandRobots("out-of-service");
+    HttpResponse<String> answer = manager.postJson("api/v1/tasks", ORDER);
+    assertEquals(201, answer.statusCode(), answer.body());
+    String waiting = JSON.readTree(answer.body()).get("id").asString();
+    assertEquals(200, manager.postJson("api/v1/tasks/" + waiting + "/hold", "").statusCode());
+    commandRobots("in-service");
+    places.put("waiting", waiting);
+  }
+
+  private void commandRobots(String command) {
+    for (String robot : List.of("r1", "r2")) {
+      String path = "api/v1/robots/" + robot + "/" + command;
+      assertEquals(200, manager.postJson(path, "").statusCode(), path);
+    }
   }
 
   /** A task that is held, and no other, as its page says. */

@@ -64,7 +64,7 @@ final class FormCases {
         FormCase.of(
             "tasks/{waiting}/edit",
             "/tasks/{id}/edit",
-            and(ORDER, Map.of("load", "20", "length", "0.3", "width", "0.3", "deadline", DAY)),
+            and(ORDER, Map.of("load", "6", "length", "0.3", "width", "0.3", "deadline", DAY)),
             and(
                 refused(
                     "load",
@@ -81,7 +81,7 @@ final class FormCases {
             "tasks/{waiting}/edit",
             "/tasks/{id}/edit",
             and(
-                Map.of("name", "Box", "load", "20", "startStation", "", "goalStation", ""),
+                Map.of("name", "Box", "load", "6", "startStation", "", "goalStation", ""),
                 Map.of("startX", "1.95", "startY", "4.65", "goalX", "3.45", "goalY", "9.45")),
             refused("startX", "startY", "goalX", "goalY")),
         FormCase.of(

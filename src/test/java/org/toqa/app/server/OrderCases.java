@@ -47,8 +47,7 @@ final class OrderCases {
             204),
         post("tasks", TASK, task(""), 201),
         post("tasks/preview", TASK, task(""), 200),
-        new OrderCase(
-            "PUT", "tasks/{waiting}", TASK.replace("\"load\":2", "\"load\":20"), task(""), 200),
+        new OrderCase("PUT", "tasks/{waiting}", TASK, task(""), 200),
         post("tasks/{held}/cancel", "{'load':null}", Map.of("/load", REFUSED), 200),
         post("tasks/{held}/answer", "{'answer':'wait'}", Map.of("/answer", REFUSED), 409),
         post(

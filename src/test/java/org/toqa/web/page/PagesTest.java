@@ -325,7 +325,9 @@ class PagesTest extends WebServerTest {
     assertTrue(page.contains("0.45, 0.80, 0.10"), "the ranges");
     assertTrue(page.contains("has never been connected"));
     assertTrue(page.contains("<polyline points=\"200.0,16.0 398.3,20.0 400.0,20.0\""));
-    server.fleet().changeRobots(robots -> robots.stream().filter(r -> !r.name().equals("r8")).toList());
+    server
+        .fleet()
+        .changeRobots(robots -> robots.stream().filter(r -> !r.name().equals("r8")).toList());
   }
 
   @Test
