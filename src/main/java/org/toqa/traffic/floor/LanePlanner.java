@@ -46,24 +46,24 @@ final class LanePlanner {
   private static final double REACH = 6;
 
   private final FreeSpace freeSpace;
-  private final SingleRobotPlanner singleRobotPlanner;
   private final SectionFitter fitter;
   private final JointPlanner planner;
   private final NextStepsPlanner nextSteps;
+  private final RightOfWay rightOfWay;
   private final Supplier<Deadline> planningDeadline;
 
   LanePlanner(
       FreeSpace freeSpace,
-      SingleRobotPlanner singleRobotPlanner,
       SectionFitter fitter,
       JointPlanner planner,
       NextStepsPlanner nextSteps,
+      RightOfWay rightOfWay,
       Supplier<Deadline> planningDeadline) {
     this.freeSpace = freeSpace;
-    this.singleRobotPlanner = singleRobotPlanner;
     this.fitter = fitter;
     this.planner = planner;
     this.nextSteps = nextSteps;
+    this.rightOfWay = rightOfWay;
     this.planningDeadline = planningDeadline;
   }
 
@@ -92,7 +92,7 @@ final class LanePlanner {
       for (double diameter : diameters(robots, everybody)) {
         Attempt attempt = new Attempt(robots, claims, diameter, everybody);
         if (!isStill
-            && attempt.planned.size() > MOST_PLANNED_WHOLE
+            && (attempt.planned.size() > MOST_PLANNED_WHOLE || rightOfWay.isClosed())
             && attempt.planAhead(now, deadline)) {
           return Outcome.PLANNED_AHEAD;
         }
@@ -179,7 +179,7 @@ final class LanePlanner {
       this.diameter = diameter;
       this.lanes = freeSpace.laneGrid(diameter);
       this.points = lanes.points(freeSpace.blocked());
-      this.wanted = findWanted();
+      this.wanted = rightOfWay.wanted(robots, diameter);
       robots.stream().filter(robot -> isCandidate(robot, everybody)).forEach(planned::add);
       if (planned.size() > MOST_PLANNED_WHOLE) {
         addNearby();
@@ -251,10 +251,21 @@ final class LanePlanner {
       List<Cell> goalCells = Arrays.stream(goals.assigned()).mapToObj(roads::cell).toList();
       List<Cell> startCells = planned.stream().map(this::place).toList();
       List<int[]> steps =
-          nextSteps.plan(lanes, all, roads, planned, startCells, goalCells, now, deadline);
-      if (steps.stream().allMatch(places -> Arrays.equals(places, steps.getFirst()))) {
+          nextSteps.plan(
+              lanes,
+              all,
+              roads,
+              planned,
+              startCells,
+              goalCells,
+              lanes.cellsNear(rightOfWay.way()),
+              now,
+              deadline);
+      if (!rightOfWay.isClosed()
+          && steps.stream().allMatch(places -> Arrays.equals(places, steps.getFirst()))) {
         return false;
       }
+      rightOfWay.setPlanned(goals.reaching());
       adopt(all, lanes.spacing(all), steps);
       return true;
     }
@@ -362,19 +373,6 @@ final class LanePlanner {
         }
       }
       return true;
-    }
-
-    /** The paths of robots that are too large for these lanes, as if the others were not there. */
-    private List<SweptArea> findWanted() {
-      List<SweptArea> all = new ArrayList<>();
-      for (TrafficRobot robot : robots) {
-        boolean isTooLarge = robot.formation() != null || robot.radius() > diameter / 2;
-        if (robot.needsPath() && robot.drive.path() == null && isTooLarge) {
-          robot.waiting.setWanted(singleRobotPlanner.pathAlone(robot).orElse(List.of()));
-          all.addAll(robot.waiting.wanted());
-        }
-      }
-      return all;
     }
 
     private void adopt(RoadGraph plannedOn, Spacing kept, List<int[]> steps) {

@@ -44,7 +44,7 @@ final class DrivenFloor {
   private static final long NANOS_A_LOOK = 1_000;
 
   private static final Pattern WAITING_FOR =
-      Pattern.compile("^Waiting for (r\\d+)( to leave the goal)?");
+      Pattern.compile("^Waiting for (\\w+)( to leave the goal)?");
 
   final OccupancyGrid grid;
   final FloorTraffic traffic;
@@ -69,6 +69,14 @@ final class DrivenFloor {
 
   /** Each plan takes a time of its own. */
   DrivenFloor(OccupancyGrid grid, long seed, Duration mostPlanning) {
+    this(grid, seed, mostPlanning, PLANNING_LIMIT);
+  }
+
+  /**
+   * @param mostPlanning each plan takes a time of its own, up to that
+   * @param planningLimit what planning all robots together may look for; see {@link #NANOS_A_LOOK}
+   */
+  DrivenFloor(OccupancyGrid grid, long seed, Duration mostPlanning, Duration planningLimit) {
     this.grid = grid;
     this.chance = new SplittableRandom(seed);
     SplittableRandom delays = new SplittableRandom(seed + 1);
@@ -77,7 +85,7 @@ final class DrivenFloor {
             grid,
             new LacamJointPlanner(),
             FloorTraffic::rollingPlanner,
-            () -> Deadline.in(PLANNING_LIMIT, this::planningNanos),
+            () -> Deadline.in(planningLimit, this::planningNanos),
             planning -> plan(planning, delays.nextLong(mostPlanning.toMillis() + 1)));
   }
 
@@ -227,10 +235,18 @@ final class DrivenFloor {
 
   /** Lets time go on until all have arrived, or nobody has moved for so long. */
   void driveWhileAnyMoves(Duration patience) {
+    driveWhileAnyMoves(patience, () -> {});
+  }
+
+  /**
+   * @param look is called after each step
+   */
+  void driveWhileAnyMoves(Duration patience, Runnable look) {
     Instant moved = now;
     List<Pose> before = List.of();
     while (!areAllArrived() && moved.plus(patience).isAfter(now)) {
       step();
+      look.run();
       List<Pose> poses = bodies.values().stream().map(b -> b.pose).toList();
       moved = poses.equals(before) ? moved : now;
       before = poses;
@@ -262,16 +278,18 @@ final class DrivenFloor {
   }
 
   private void check() {
-    List<Map.Entry<String, DrivenBody>> all = new ArrayList<>(bodies.entrySet());
-    for (int i = 0; i < all.size(); i++) {
-      DrivenBody a = all.get(i).getValue();
-      require(
-          a.discs().stream().allMatch(this::isOffTheWalls),
-          all.get(i).getKey() + " touches a wall at " + a.pose);
-      for (int j = i + 1; j < all.size(); j++) {
-        DrivenBody b = all.get(j).getValue();
-        String pair = all.get(i).getKey() + " and " + all.get(j).getKey();
-        require(gap(a, b) > -1e-6, pair + " overlap at " + a.pose + ", " + b.pose + " at " + now);
+    List<String> names = new ArrayList<>(bodies.keySet());
+    for (int i = 0; i < names.size(); i++) {
+      DrivenBody a = body(names.get(i));
+      if (!a.discs().stream().allMatch(this::isOffTheWalls)) {
+        throw new AssertionError(names.get(i) + " touches a wall at " + a.pose);
+      }
+      for (String other : names.subList(i + 1, names.size())) {
+        DrivenBody b = body(other);
+        if (a.mayTouch(b) && gap(a, b) <= -1e-6) {
+          String pair = names.get(i) + " and " + other;
+          throw new AssertionError(pair + " overlap at " + a.pose + ", " + b.pose + " at " + now);
+        }
       }
     }
   }
