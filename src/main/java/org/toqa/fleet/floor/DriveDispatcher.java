@@ -276,7 +276,6 @@ final class DriveDispatcher {
               case CONNECTING, LOST -> Phrase.STANDS_UNHEARD;
               case NOT_LOCALISED -> Phrase.STANDS_NOT_LOCALISED;
               case ERROR -> Phrase.STANDS_WITH_ERROR;
-
               case IDLE, HOLDING, CHARGING -> null;
               case DRIVING -> isStandingStill(robot) ? Phrase.STANDS_STILL : null;
             };

@@ -87,6 +87,7 @@ final class LanePlanner {
       boolean isStill,
       Instant now) {
     Deadline deadline = planningDeadline.get();
+    rightOfWay.setPlanned(Set.of());
     List<Attempt> incomplete = new ArrayList<>();
     for (boolean everybody : List.of(false, true)) {
       for (double diameter : diameters(robots, everybody)) {
@@ -137,7 +138,11 @@ final class LanePlanner {
                         attempt.starts,
                         attempt.goals.forLongestWaiting().assigned(),
                         deadline.afterShare(SHARE)));
-    steps.ifPresent(found -> attempt.adopt(attempt.roads, attempt.spacing, found));
+    steps.ifPresent(
+        found -> {
+          attempt.adopt(attempt.roads, attempt.spacing, found);
+          rightOfWay.setPlanned(attempt.goals.reaching());
+        });
     return steps.isPresent() ? Outcome.PLANNED : Outcome.NOT_FOUND;
   }
 

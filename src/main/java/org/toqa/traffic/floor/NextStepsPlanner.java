@@ -101,7 +101,7 @@ final class NextStepsPlanner {
     Pose end = robot.committedEnd();
     Instant since = robot.waiting.since();
     double waited = since == null ? 0 : Duration.between(since, now).toMillis() / 1000.0;
-    boolean isFirst = robot.goal() != null && robot.waiting.isStandingFor(RightOfWay.AFTER, now);
+    boolean isFirst = RightOfWay.isWaitingLong(robot, now);
     return new PlannedRobot(
         robot.name,
         new GridPose(start, Heading.nearest(end.theta())),

@@ -8,6 +8,7 @@ import java.util.Comparator;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.Set;
 import org.jspecify.annotations.Nullable;
@@ -31,6 +32,7 @@ final class RightOfWay {
   private final SingleRobotPlanner singleRobotPlanner;
   private @Nullable String holder;
   private Instant since = Instant.MIN;
+  private Instant looked = Instant.MIN;
   private List<SweptArea> way = List.of();
 
   /** When the turns of robots ended that had to be given up. */
@@ -48,18 +50,24 @@ final class RightOfWay {
     planned = names;
   }
 
-  /** Looks whose turn it is. */
+  /** Looks whose turn it is, once a second. */
   void update(Collection<TrafficRobot> robots, Instant now) {
-    if (holder != null && !since.plus(TURN).isAfter(now)) {
-      givenUp.put(holder, now);
-      holder = null;
+    boolean isKept =
+        robots.stream().anyMatch(robot -> robot.name.equals(holder) && needsWay(robot, now));
+    boolean isRecent = now.isBefore(looked.plus(FloorPlanner.RETRY_AFTER));
+    if (isRecent && (isKept || holder == null)) {
+      return;
+    }
+    looked = now;
+    if (isKept && !since.plus(TURN).isAfter(now)) {
+      givenUp.put(Objects.requireNonNull(holder), now);
     }
     givenUp.values().removeIf(ended -> ended.plus(TURN).isBefore(now));
     String last = holder;
     holder = null;
     way = List.of();
     robots.stream()
-        .filter(robot -> isWaitingLong(robot, now) && !givenUp.containsKey(robot.name))
+        .filter(robot -> needsWay(robot, now) && !givenUp.containsKey(robot.name))
         .sorted(
             Comparator.<TrafficRobot, Boolean>comparing(robot -> !robot.name.equals(last))
                 .thenComparing(robot -> robot.waiting.standingSince()))
@@ -69,13 +77,18 @@ final class RightOfWay {
             robot -> {
               holder = robot.name;
               since = robot.name.equals(last) ? since : now;
-              robot.waiting.setWanted(way);
             });
   }
 
-  private boolean isWaitingLong(TrafficRobot robot, Instant now) {
-    return robot.needsPath()
-        && !planned.contains(robot.name)
+  private boolean needsWay(TrafficRobot robot, Instant now) {
+    return robot.needsPath() && !planned.contains(robot.name) && isWaitingLong(robot, now);
+  }
+
+  /** Whether others, but none that is at its goal, have kept a robot from its own for long. */
+  static boolean isWaitingLong(TrafficRobot robot, Instant now) {
+    return robot.goal() != null
+        && robot.waiting.goalTakenBy() == null
+        && !robot.isGoal(robot.committedEnd())
         && robot.waiting.isStandingFor(AFTER, now);
   }
 

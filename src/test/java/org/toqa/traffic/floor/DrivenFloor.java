@@ -46,6 +46,8 @@ final class DrivenFloor {
   private static final Pattern WAITING_FOR =
       Pattern.compile("^Waiting for (\\w+)( to leave the goal)?");
 
+  private static final String NO_PATH = "Waiting: the map has no path";
+
   final OccupancyGrid grid;
   final FloorTraffic traffic;
   final Map<String, DrivenBody> bodies = new TreeMap<>();
@@ -235,18 +237,10 @@ final class DrivenFloor {
 
   /** Lets time go on until all have arrived, or nobody has moved for so long. */
   void driveWhileAnyMoves(Duration patience) {
-    driveWhileAnyMoves(patience, () -> {});
-  }
-
-  /**
-   * @param look is called after each step
-   */
-  void driveWhileAnyMoves(Duration patience, Runnable look) {
     Instant moved = now;
     List<Pose> before = List.of();
     while (!areAllArrived() && moved.plus(patience).isAfter(now)) {
       step();
-      look.run();
       List<Pose> poses = bodies.values().stream().map(b -> b.pose).toList();
       moved = poses.equals(before) ? moved : now;
       before = poses;
@@ -332,14 +326,14 @@ final class DrivenFloor {
 
   /**
    * Whether those that the robot waits for, and those that these wait for, end with one that cannot
-   * be told to go: it is lost, or stands at the goal of another. Robots that wait for each other do
-   * not.
+   * be told to go: it is lost, has no path, or stands at the goal of another. Robots that wait for
+   * each other do not.
    */
   boolean waitsForOneThatStays(String robot) {
     Set<String> chain = new TreeSet<>();
     String at = robot;
     while (chain.add(at)) {
-      if (lost.contains(at)) {
+      if (lost.contains(at) || reason(at).startsWith(NO_PATH)) {
         return true;
       }
       Matcher waiting = WAITING_FOR.matcher(reason(at));
