@@ -93,7 +93,7 @@ final class LanePlanner {
       for (double diameter : diameters(robots, everybody)) {
         Attempt attempt = new Attempt(robots, claims, diameter, everybody);
         if (!isStill
-            && (attempt.planned.size() > MOST_PLANNED_WHOLE || rightOfWay.isClosed())
+            && (attempt.planned.size() > MOST_PLANNED_WHOLE || rightOfWay.isClosedTo(attempt.planned))
             && attempt.planAhead(now, deadline)) {
           return Outcome.PLANNED_AHEAD;
         }
