@@ -28,6 +28,7 @@ final class ScriptedCondition {
 
   int stepsPerSegment = 1;
   boolean mute;
+  boolean localised = true;
   boolean stuck;
   boolean endsBeforeNextChange;
   boolean refusesClear;

@@ -110,6 +110,11 @@ public final class ScriptedRobot {
     condition.mute = true;
   }
 
+  /** It does not know any more where it is. */
+  synchronized void forgetPlace() {
+    condition.localised = false;
+  }
+
   synchronized void speakAgain() {
     condition.mute = false;
   }
@@ -388,7 +393,7 @@ public final class ScriptedRobot {
   private State state() {
     return new State(
         0,
-        true,
+        condition.localised,
         pose,
         new Speed(0, 0),
         mode(),

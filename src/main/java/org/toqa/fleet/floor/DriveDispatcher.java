@@ -13,6 +13,8 @@ import org.toqa.mission.Mission;
 import org.toqa.mission.MissionEvent;
 import org.toqa.mission.Phase;
 import org.toqa.traffic.floor.DriveCommand;
+import org.toqa.traffic.floor.Standstill;
+import org.toqa.wording.Phrase;
 import org.toqa.wording.Sentence;
 
 /** Tells the traffic what each robot is to do, and the robots what the traffic decides. */
@@ -84,7 +86,7 @@ final class DriveDispatcher {
     if (objection != null) {
       setWaitReason(robot, objection);
     } else if (!isWaiting) {
-      setWaitReason(robot, goal == null ? null : state.traffic.waitReason(robot.name()));
+      setWaitReason(robot, goal == null ? null : trafficWaitReason(robot.name()));
     }
   }
 
@@ -246,6 +248,46 @@ final class DriveDispatcher {
       together.forEach(
           r -> missions.applyEvent(task, new MissionEvent.PhaseEnded(r, goal.phase())));
     }
+  }
+
+  /** Why the traffic does not let it go on, and what a person can do about that, if anything. */
+  private @Nullable Sentence trafficWaitReason(String name) {
+    Sentence reason = state.traffic.waitReason(name);
+    if (reason == null) {
+      return null;
+    }
+    return state
+        .traffic
+        .blockingRobot(name)
+        .map(state.robots::get)
+        .flatMap(this::cause)
+        .<Sentence>map(cause -> Phrase.LISTED_APART.with(reason, cause))
+        .orElse(reason);
+  }
+
+  /** Why a robot that others wait for does not go on, where a person can help. */
+  private Optional<Sentence> cause(FloorRobot robot) {
+    @Nullable Phrase phrase =
+        robot.hold.isHeld()
+            ? Phrase.STANDS_ON_HOLD
+            : switch (robot.state()) {
+              case OUT_OF_SERVICE ->
+                  robot.isHeard() ? Phrase.STANDS_OUT_OF_SERVICE : Phrase.STANDS_UNHEARD;
+              case CONNECTING, LOST -> Phrase.STANDS_UNHEARD;
+              case NOT_LOCALISED -> Phrase.STANDS_NOT_LOCALISED;
+              case ERROR -> Phrase.STANDS_WITH_ERROR;
+              case IDLE, HOLDING, CHARGING -> null;
+              case DRIVING -> isStandingStill(robot) ? Phrase.STANDS_STILL : null;
+            };
+    return Optional.ofNullable(phrase).map(known -> known.with(robot.name()));
+  }
+
+  private boolean isStandingStill(FloorRobot robot) {
+    return state.traffic.standstills().stream()
+        .anyMatch(
+            standstill ->
+                standstill.kind() == Standstill.Kind.NOT_MOVING
+                    && standstill.robots().contains(robot.name()));
   }
 
   private void setWaitReason(FloorRobot robot, @Nullable Sentence reason) {

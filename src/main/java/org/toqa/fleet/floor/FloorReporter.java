@@ -98,7 +98,7 @@ final class FloorReporter {
   private Optional<String> blockedRobot(String name) {
     return state.robots.keySet().stream()
         .filter(state.traffic::hasRobot)
-        .filter(other -> state.traffic.blockedBy(other).equals(Optional.of(name)))
+        .filter(other -> state.traffic.blockingRobot(other).equals(Optional.of(name)))
         .findFirst();
   }
 

@@ -34,6 +34,7 @@ final class FloorPlanner {
   private final FreeSpace freeSpace;
   private final SingleRobotPlanner singleRobotPlanner;
   private final LanePlanner lanePlanner;
+  private final RightOfWay rightOfWay;
   private final WaitReasonFinder waitReasons;
   private final RoomMaker roomMaker;
 
@@ -49,15 +50,16 @@ final class FloorPlanner {
     SectionFitter fitter = new SectionFitter();
     this.freeSpace = new FreeSpace(grid);
     this.singleRobotPlanner = new SingleRobotPlanner(freeSpace, fitter);
+    this.rightOfWay = new RightOfWay(singleRobotPlanner);
     this.lanePlanner =
         new LanePlanner(
             freeSpace,
-            singleRobotPlanner,
             fitter,
             jointPlanner,
             new NextStepsPlanner(nextSteps),
+            rightOfWay,
             planningDeadline);
-    this.waitReasons = new WaitReasonFinder(freeSpace, singleRobotPlanner);
+    this.waitReasons = new WaitReasonFinder(freeSpace, singleRobotPlanner, rightOfWay);
     this.roomMaker = new RoomMaker(singleRobotPlanner);
   }
 
@@ -65,6 +67,8 @@ final class FloorPlanner {
     Map<String, TrafficRobot> robots = new TreeMap<>();
     request.robots().forEach(pictured -> robots.put(pictured.name, pictured.copy()));
     freeSpace.setObstacles(request.obstacles());
+    rightOfWay.update(robots.values(), request.now());
+    rightOfWay.freePathsOver(robots.values());
     planSingleRobots(request, robots.values());
     Outcome outcome = planJointly(request, robots.values());
     findWaitReasons(robots.values(), request.now());
@@ -74,12 +78,17 @@ final class FloorPlanner {
     return result(request, robots, outcome);
   }
 
-  /** Gives their own paths to those that wait: formations first, then the longest waiting. */
+  /**
+   * Gives their own paths to those that wait: whose way is closed to others, then formations, then
+   * the longest waiting.
+   */
   private void planSingleRobots(PlanningRequest request, Collection<TrafficRobot> robots) {
     robots.stream()
         .filter(robot -> request.dueForOwnPath().contains(robot.name))
         .sorted(
-            Comparator.<TrafficRobot, Boolean>comparing(robot -> !robot.isFormation())
+            Comparator.<TrafficRobot, Boolean>comparing(
+                    robot -> !robot.name.equals(rightOfWay.holder()))
+                .thenComparing(robot -> !robot.isFormation())
                 .thenComparing(
                     robot -> robot.waiting.since(), nullsLast(Comparator.<Instant>naturalOrder())))
         .toList()
@@ -88,9 +97,12 @@ final class FloorPlanner {
 
   private void planSingleRobot(TrafficRobot robot, Collection<TrafficRobot> robots) {
     List<SweptArea> claimed = new ArrayList<>(Allocation.claimedByOthers(robot, robots));
-    robots.stream()
-        .filter(other -> other.hasPrecedenceOver(robot))
-        .forEach(other -> claimed.addAll(other.waiting.wanted()));
+    if (!robot.name.equals(rightOfWay.holder())) {
+      claimed.addAll(rightOfWay.closedTo(robot));
+      robots.stream()
+          .filter(other -> other.hasPrecedenceOver(robot))
+          .forEach(other -> claimed.addAll(other.waiting.wanted()));
+    }
     singleRobotPlanner
         .pathAmong(robot, claimed)
         .ifPresent(

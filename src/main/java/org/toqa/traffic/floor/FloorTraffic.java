@@ -62,6 +62,7 @@ public final class FloorTraffic {
   private final SectionReleaser releaser;
   private final Claims claims;
   private final StandstillDetector standstillDetector = new StandstillDetector();
+  private final WaitChains waitChains = new WaitChains();
   private final ReplanTrigger trigger = new ReplanTrigger();
   private final Map<String, TrafficRobot> robots = new TreeMap<>();
   private BitSet obstacles = new BitSet();
@@ -117,6 +118,7 @@ public final class FloorTraffic {
     TrafficRobot robot =
         robots.computeIfAbsent(
             name, key -> new TrafficRobot(key, ++robotCount, grid, pose, diameter / 2, now));
+    robot.waiting.observe(pose.position(), now);
     trigger.markFreed(robot);
     if (robot.drive.path() != null || !robot.cell().equals(grid.cellAt(pose.position()))) {
       trigger.markChanged();
@@ -172,6 +174,7 @@ public final class FloorTraffic {
    */
   public void reportProgress(String name, Pose pose, int completedSegments, Instant now) {
     TrafficRobot robot = robot(name);
+    robot.waiting.observe(pose.position(), now);
     robot.setPose(pose, robot.radius());
     if (robot.drive.complete(completedSegments, now)) {
       trigger.recordProgress(now);
@@ -295,15 +298,15 @@ public final class FloorTraffic {
 
   /** Why it does not go on, for people; null while it does. */
   public @Nullable Sentence waitReason(String name) {
-    WaitReason waitReason = robot(name).waitReason();
-    return waitReason == null ? null : waitReason.sentence();
+    return waitChains.sentence(robot(name));
   }
 
-  /** The robot that stands in its way and cannot be told to make room, if one does. */
-  public Optional<String> blockedBy(String name) {
-    return robot(name).waitReason() instanceof WaitReason.RobotNotMovable(String other, Vec2 _)
-        ? Optional.of(other)
-        : Optional.empty();
+  /**
+   * The robot that it waits for in the end, where those before it wait themselves, if that one does
+   * not go on by itself.
+   */
+  public Optional<String> blockingRobot(String name) {
+    return waitChains.blockingRobot(robot(name));
   }
 
   /** The cells that are its own now, as bits by {@link OccupancyGrid#index}. */
@@ -354,6 +357,7 @@ public final class FloorTraffic {
       release(now);
     }
     standstillDetector.update(robots.values(), now);
+    waitChains.update(robots);
     return robots.values().stream().flatMap(robot -> robot.takeUnsentCommand().stream()).toList();
   }
 

@@ -11,6 +11,7 @@ import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
+import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
@@ -54,8 +55,8 @@ final class GoalAssignment {
   /** Where nobody else shall stay, on the path of the only one that gets its goal; else empty. */
   private final Set<Integer> keptFree;
 
-  /** How many that want to go somewhere have no path there, whoever made room. */
-  private int unreachableCount;
+  /** Those that want to go somewhere and have no path there, whoever made room. */
+  private final Set<String> unreachable = new HashSet<>();
 
   GoalAssignment(
       FreeSpace freeSpace,
@@ -160,7 +161,15 @@ final class GoalAssignment {
   }
 
   int unreachableCount() {
-    return unreachableCount;
+    return unreachable.size();
+  }
+
+  /** The names of those that want to go somewhere and can. */
+  Set<String> reaching() {
+    return planned.stream()
+        .filter(robot -> robot.goal() != null && !unreachable.contains(robot.name))
+        .map(robot -> robot.name)
+        .collect(Collectors.toSet());
   }
 
   private int goal(int i) {
@@ -171,7 +180,7 @@ final class GoalAssignment {
     }
     int vertex = approach(robot, robot.goal(), starts[i]);
     if (vertex == RoadGraph.NONE) {
-      unreachableCount++;
+      unreachable.add(robot.name);
       return nearestOpen(starts[i], starts[i]);
     }
     robot.waiting.setGoalTakenBy(takenBy(vertex));

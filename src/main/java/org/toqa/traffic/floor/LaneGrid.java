@@ -274,6 +274,19 @@ final class LaneGrid {
                     : starts.stream().allMatch(start -> Clearance.isKept(start, area, claimed)));
   }
 
+  /**
+   * The lane cells, by their index, in whose middle a robot would come too near to one of the
+   * areas.
+   */
+  BitSet cellsNear(List<SweptArea> areas) {
+    BitSet near = new BitSet();
+    areas.forEach(area -> area.cells(lattice, diameter / 2 + Clearance.BETWEEN_ROBOTS).addTo(near));
+    near.stream()
+        .filter(i -> areas.stream().allMatch(a -> Clearance.isKept(areaAt(lattice.cell(i)), a)))
+        .forEach(near::clear);
+    return near;
+  }
+
   /** Where robots pass through the lane cells. */
   LanePoints points(BitSet blocked) {
     return side == 1 ? LanePoints.of(lattice, blocked, diameter / 2) : LanePoints.centres(lattice);

@@ -46,24 +46,24 @@ final class LanePlanner {
   private static final double REACH = 6;
 
   private final FreeSpace freeSpace;
-  private final SingleRobotPlanner singleRobotPlanner;
   private final SectionFitter fitter;
   private final JointPlanner planner;
   private final NextStepsPlanner nextSteps;
+  private final RightOfWay rightOfWay;
   private final Supplier<Deadline> planningDeadline;
 
   LanePlanner(
       FreeSpace freeSpace,
-      SingleRobotPlanner singleRobotPlanner,
       SectionFitter fitter,
       JointPlanner planner,
       NextStepsPlanner nextSteps,
+      RightOfWay rightOfWay,
       Supplier<Deadline> planningDeadline) {
     this.freeSpace = freeSpace;
-    this.singleRobotPlanner = singleRobotPlanner;
     this.fitter = fitter;
     this.planner = planner;
     this.nextSteps = nextSteps;
+    this.rightOfWay = rightOfWay;
     this.planningDeadline = planningDeadline;
   }
 
@@ -87,12 +87,13 @@ final class LanePlanner {
       boolean isStill,
       Instant now) {
     Deadline deadline = planningDeadline.get();
+    rightOfWay.setPlanned(Set.of());
     List<Attempt> incomplete = new ArrayList<>();
     for (boolean everybody : List.of(false, true)) {
       for (double diameter : diameters(robots, everybody)) {
         Attempt attempt = new Attempt(robots, claims, diameter, everybody);
         if (!isStill
-            && attempt.planned.size() > MOST_PLANNED_WHOLE
+            && (attempt.planned.size() > MOST_PLANNED_WHOLE || rightOfWay.isClosedTo(attempt.planned))
             && attempt.planAhead(now, deadline)) {
           return Outcome.PLANNED_AHEAD;
         }
@@ -137,7 +138,11 @@ final class LanePlanner {
                         attempt.starts,
                         attempt.goals.forLongestWaiting().assigned(),
                         deadline.afterShare(SHARE)));
-    steps.ifPresent(found -> attempt.adopt(attempt.roads, attempt.spacing, found));
+    steps.ifPresent(
+        found -> {
+          attempt.adopt(attempt.roads, attempt.spacing, found);
+          rightOfWay.setPlanned(attempt.goals.reaching());
+        });
     return steps.isPresent() ? Outcome.PLANNED : Outcome.NOT_FOUND;
   }
 
@@ -179,7 +184,7 @@ final class LanePlanner {
       this.diameter = diameter;
       this.lanes = freeSpace.laneGrid(diameter);
       this.points = lanes.points(freeSpace.blocked());
-      this.wanted = findWanted();
+      this.wanted = rightOfWay.wanted(robots, diameter);
       robots.stream().filter(robot -> isCandidate(robot, everybody)).forEach(planned::add);
       if (planned.size() > MOST_PLANNED_WHOLE) {
         addNearby();
@@ -251,10 +256,21 @@ final class LanePlanner {
       List<Cell> goalCells = Arrays.stream(goals.assigned()).mapToObj(roads::cell).toList();
       List<Cell> startCells = planned.stream().map(this::place).toList();
       List<int[]> steps =
-          nextSteps.plan(lanes, all, roads, planned, startCells, goalCells, now, deadline);
-      if (steps.stream().allMatch(places -> Arrays.equals(places, steps.getFirst()))) {
+          nextSteps.plan(
+              lanes,
+              all,
+              roads,
+              planned,
+              startCells,
+              goalCells,
+              lanes.cellsNear(rightOfWay.way()),
+              now,
+              deadline);
+      if (!rightOfWay.isClosed()
+          && steps.stream().allMatch(places -> Arrays.equals(places, steps.getFirst()))) {
         return false;
       }
+      rightOfWay.setPlanned(goals.reaching());
       adopt(all, lanes.spacing(all), steps);
       return true;
     }
@@ -362,19 +378,6 @@ final class LanePlanner {
         }
       }
       return true;
-    }
-
-    /** The paths of robots that are too large for these lanes, as if the others were not there. */
-    private List<SweptArea> findWanted() {
-      List<SweptArea> all = new ArrayList<>();
-      for (TrafficRobot robot : robots) {
-        boolean isTooLarge = robot.formation() != null || robot.radius() > diameter / 2;
-        if (robot.needsPath() && robot.drive.path() == null && isTooLarge) {
-          robot.waiting.setWanted(singleRobotPlanner.pathAlone(robot).orElse(List.of()));
-          all.addAll(robot.waiting.wanted());
-        }
-      }
-      return all;
     }
 
     private void adopt(RoadGraph plannedOn, Spacing kept, List<int[]> steps) {

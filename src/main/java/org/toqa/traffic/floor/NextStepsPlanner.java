@@ -30,6 +30,9 @@ final class NextStepsPlanner {
   /** So many steps of a plan are left to a robot on its way to where it begins, and more. */
   private static final int MOST_DELAY = 2;
 
+  /** Steps of a head start over all that have not stood so long. */
+  private static final int FIRST = 1_000_000;
+
   private final DoubleFunction<LifelongPlanner> planners;
   private @Nullable LaneGrid lanes;
   private @Nullable LifelongPlanner planner;
@@ -47,6 +50,7 @@ final class NextStepsPlanner {
    * @param open those that can be driven now
    * @param starts by robot: its lane cell, all different
    * @param goals by robot: a lane cell
+   * @param leftOnly lane cells that nobody enters, but for those in one of them; bits by index
    * @return the vertices of all robots after each step, the starts first
    */
   List<int[]> plan(
@@ -56,6 +60,7 @@ final class NextStepsPlanner {
       List<TrafficRobot> robots,
       List<Cell> starts,
       List<Cell> goals,
+      BitSet leftOnly,
       Instant now,
       Deadline deadline) {
     LifelongPlanner lifelong = planner;
@@ -70,7 +75,7 @@ final class NextStepsPlanner {
         IntStream.range(0, robots.size())
             .mapToObj(i -> planned(robots.get(i), starts.get(i), goals.get(i), step, now))
             .toList();
-    BitSet closed = closed(roads, open);
+    BitSet closed = closed(roads, open, leftOnly);
     LifelongPlan plan =
         lifelong.plan(new TrafficSnapshot(roads, planned, closed, takeSteps(step, now)), deadline);
     return steps(roads, plan, robots.size());
@@ -96,11 +101,12 @@ final class NextStepsPlanner {
     Pose end = robot.committedEnd();
     Instant since = robot.waiting.since();
     double waited = since == null ? 0 : Duration.between(since, now).toMillis() / 1000.0;
+    boolean isFirst = RightOfWay.isWaitingLong(robot, now);
     return new PlannedRobot(
         robot.name,
         new GridPose(start, Heading.nearest(end.theta())),
         goal,
-        (int) (waited / step),
+        (int) (waited / step) + (isFirst ? FIRST : 0),
         false,
         (int) Math.min(MOST_DELAY, Math.round(secondsUntilThere(robot) / step)));
   }
@@ -118,18 +124,25 @@ final class NextStepsPlanner {
   }
 
   /** The edges that can be driven at times, but not now. */
-  private static BitSet closed(RoadGraph roads, RoadGraph open) {
+  private static BitSet closed(RoadGraph roads, RoadGraph open, BitSet leftOnly) {
     BitSet closed = new BitSet();
     for (int vertex = 0; vertex < roads.vertexCount(); vertex++) {
       int now = open.vertex(roads.columnOf(vertex), roads.rowOf(vertex));
       for (int d = 0; d < RoadGraph.DIRECTIONS; d++) {
-        boolean isOpen = now != RoadGraph.NONE && open.neighbour(now, d) != RoadGraph.NONE;
+        int next = now == RoadGraph.NONE ? RoadGraph.NONE : open.neighbour(now, d);
+        boolean isOpen =
+            next != RoadGraph.NONE
+                && (!isAmong(open, next, leftOnly) || isAmong(open, now, leftOnly));
         closed.set(
             vertex * RoadGraph.DIRECTIONS + d,
             !isOpen && roads.neighbour(vertex, d) != RoadGraph.NONE);
       }
     }
     return closed;
+  }
+
+  private static boolean isAmong(RoadGraph roads, int vertex, BitSet cells) {
+    return cells.get(roads.grid().index(roads.cell(vertex)));
   }
 
   private static List<int[]> steps(RoadGraph roads, LifelongPlan plan, int robots) {

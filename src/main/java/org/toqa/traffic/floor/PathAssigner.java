@@ -62,6 +62,9 @@ final class PathAssigner {
     boolean isPlanLate = isPlanningFor(LATE_AFTER, now);
     for (TrafficRobot robot : robots.values()) {
       Vec2 goal = robot.goal();
+      if (goal == null || !robot.isMovable()) {
+        robot.waiting.restartStanding(now);
+      }
       if (!robot.needsPath() || goal == null) {
         robot.waiting.clearNoPathReason();
         continue;

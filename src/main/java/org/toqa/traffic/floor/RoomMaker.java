@@ -35,7 +35,9 @@ final class RoomMaker {
       return;
     }
     robot.waiting.setWanted(
-        singleRobotPlanner.pathAroundNotMovable(robot, robots.values()).orElse(List.of()));
+        singleRobotPlanner.pathAroundNotMovable(robot, robots.values()).orElse(List.of()).stream()
+            .map(Section::area)
+            .toList());
     List<SweptArea> wanted = robot.waiting.wanted();
     if (wanted.isEmpty()) {
       return;

@@ -155,6 +155,7 @@ final class TrafficRobot {
     goal = newGoal;
     goalHeading = heading;
     waiting.restart(newGoal == null ? null : now);
+    waiting.restartStanding(now);
     return true;
   }
 

@@ -12,10 +12,13 @@ import org.toqa.geometry.Vec2;
 final class WaitReasonFinder {
   private final FreeSpace freeSpace;
   private final SingleRobotPlanner singleRobotPlanner;
+  private final RightOfWay rightOfWay;
 
-  WaitReasonFinder(FreeSpace freeSpace, SingleRobotPlanner singleRobotPlanner) {
+  WaitReasonFinder(
+      FreeSpace freeSpace, SingleRobotPlanner singleRobotPlanner, RightOfWay rightOfWay) {
     this.freeSpace = freeSpace;
     this.singleRobotPlanner = singleRobotPlanner;
+    this.rightOfWay = rightOfWay;
   }
 
   /**
@@ -87,6 +90,11 @@ final class WaitReasonFinder {
             : new WaitReason.RobotPassing(other.name, where);
       }
     }
-    return null;
+    String first = rightOfWay.holder();
+    return first != null
+            && rightOfWay.closedTo(robot).stream()
+                .anyMatch(area -> !Clearance.isKept(standing, section.area(), area))
+        ? new WaitReason.RobotPassing(first, where)
+        : null;
   }
 }

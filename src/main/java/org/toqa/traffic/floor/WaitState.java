@@ -4,9 +4,13 @@ import java.time.Duration;
 import java.time.Instant;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
+import org.toqa.geometry.Vec2;
 
 /** Since when a robot waits, what for, and what it asks others to leave. */
 final class WaitState {
+  /** Metres; a robot that has moved by less stands. */
+  private static final double MOVED = 0.05;
+
   /** Since when it is stopped short of its goal; null while it drives or has no goal. */
   private @Nullable Instant since;
 
@@ -27,6 +31,11 @@ final class WaitState {
   /** When its own smooth path was last looked for. */
   private Instant lastSinglePlan = Instant.MIN;
 
+  /** Where it has stood since then. */
+  private Vec2 place = Vec2.ZERO;
+
+  private Instant standingSince = Instant.MAX;
+
   /** What a robot too large to be planned with the others waits for to become free. */
   private List<SweptArea> wanted = List.of();
 
@@ -37,6 +46,8 @@ final class WaitState {
     copy.blockedSince = blockedSince;
     copy.blockedReason = blockedReason;
     copy.lastSinglePlan = lastSinglePlan;
+    copy.place = place;
+    copy.standingSince = standingSince;
     copy.adopt(findings());
     return copy;
   }
@@ -66,6 +77,27 @@ final class WaitState {
 
   @Nullable Instant since() {
     return since;
+  }
+
+  /** It is there. */
+  void observe(Vec2 at, Instant now) {
+    if (place.distanceTo(at) > MOVED) {
+      place = at;
+      standingSince = now;
+    }
+  }
+
+  /** That it stands counts from now on. */
+  void restartStanding(Instant now) {
+    standingSince = now;
+  }
+
+  Instant standingSince() {
+    return standingSince;
+  }
+
+  boolean isStandingFor(Duration time, Instant now) {
+    return !standingSince.isAfter(now.minus(time));
   }
 
   @Nullable String goalTakenBy() {
@@ -107,9 +139,9 @@ final class WaitState {
     goalTakenBy = robot;
   }
 
-  /** These sections are what it waits for. */
-  void setWanted(List<Section> sections) {
-    wanted = sections.stream().map(Section::area).toList();
+  /** These areas are what it waits for. */
+  void setWanted(List<SweptArea> areas) {
+    wanted = areas;
   }
 
   // --- no path ----------------------------------------------------------------------------------

@@ -49,6 +49,19 @@ final class DrivenBody {
         : group.discs(pose);
   }
 
+  /** Whether it is so near to another one that the two have to be looked at. */
+  boolean mayTouch(DrivenBody other) {
+    return pose.position().distanceTo(other.pose.position()) < reach() + other.reach();
+  }
+
+  /** No part of it is farther from its pose, metres. */
+  private double reach() {
+    return discs().stream()
+        .mapToDouble(disc -> disc.centre().distanceTo(pose.position()) + disc.radius())
+        .max()
+        .orElseThrow();
+  }
+
   /** Lets its error become another one, by a little. */
   void drift(double most, SplittableRandom chance) {
     Vec2 next =

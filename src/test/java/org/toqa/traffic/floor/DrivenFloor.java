@@ -44,7 +44,9 @@ final class DrivenFloor {
   private static final long NANOS_A_LOOK = 1_000;
 
   private static final Pattern WAITING_FOR =
-      Pattern.compile("^Waiting for (r\\d+)( to leave the goal)?");
+      Pattern.compile("^Waiting for (\\w+)( to leave the goal)?");
+
+  private static final String NO_PATH = "Waiting: the map has no path";
 
   final OccupancyGrid grid;
   final FloorTraffic traffic;
@@ -69,6 +71,14 @@ final class DrivenFloor {
 
   /** Each plan takes a time of its own. */
   DrivenFloor(OccupancyGrid grid, long seed, Duration mostPlanning) {
+    this(grid, seed, mostPlanning, PLANNING_LIMIT);
+  }
+
+  /**
+   * @param mostPlanning each plan takes a time of its own, up to that
+   * @param planningLimit what planning all robots together may look for; see {@link #NANOS_A_LOOK}
+   */
+  DrivenFloor(OccupancyGrid grid, long seed, Duration mostPlanning, Duration planningLimit) {
     this.grid = grid;
     this.chance = new SplittableRandom(seed);
     SplittableRandom delays = new SplittableRandom(seed + 1);
@@ -77,7 +87,7 @@ final class DrivenFloor {
             grid,
             new LacamJointPlanner(),
             FloorTraffic::rollingPlanner,
-            () -> Deadline.in(PLANNING_LIMIT, this::planningNanos),
+            () -> Deadline.in(planningLimit, this::planningNanos),
             planning -> plan(planning, delays.nextLong(mostPlanning.toMillis() + 1)));
   }
 
@@ -262,16 +272,18 @@ final class DrivenFloor {
   }
 
   private void check() {
-    List<Map.Entry<String, DrivenBody>> all = new ArrayList<>(bodies.entrySet());
-    for (int i = 0; i < all.size(); i++) {
-      DrivenBody a = all.get(i).getValue();
-      require(
-          a.discs().stream().allMatch(this::isOffTheWalls),
-          all.get(i).getKey() + " touches a wall at " + a.pose);
-      for (int j = i + 1; j < all.size(); j++) {
-        DrivenBody b = all.get(j).getValue();
-        String pair = all.get(i).getKey() + " and " + all.get(j).getKey();
-        require(gap(a, b) > -1e-6, pair + " overlap at " + a.pose + ", " + b.pose + " at " + now);
+    List<String> names = new ArrayList<>(bodies.keySet());
+    for (int i = 0; i < names.size(); i++) {
+      DrivenBody a = body(names.get(i));
+      if (!a.discs().stream().allMatch(this::isOffTheWalls)) {
+        throw new AssertionError(names.get(i) + " touches a wall at " + a.pose);
+      }
+      for (String other : names.subList(i + 1, names.size())) {
+        DrivenBody b = body(other);
+        if (a.mayTouch(b) && gap(a, b) <= -1e-6) {
+          String pair = names.get(i) + " and " + other;
+          throw new AssertionError(pair + " overlap at " + a.pose + ", " + b.pose + " at " + now);
+        }
       }
     }
   }
@@ -314,14 +326,14 @@ final class DrivenFloor {
 
   /**
    * Whether those that the robot waits for, and those that these wait for, end with one that cannot
-   * be told to go: it is lost, or stands at the goal of another. Robots that wait for each other do
-   * not.
+   * be told to go: it is lost, has no path, or stands at the goal of another. Robots that wait for
+   * each other do not.
    */
   boolean waitsForOneThatStays(String robot) {
     Set<String> chain = new TreeSet<>();
     String at = robot;
     while (chain.add(at)) {
-      if (lost.contains(at)) {
+      if (lost.contains(at) || reason(at).startsWith(NO_PATH)) {
         return true;
       }
       Matcher waiting = WAITING_FOR.matcher(reason(at));
