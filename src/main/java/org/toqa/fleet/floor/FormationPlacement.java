@@ -18,8 +18,8 @@ import org.toqa.traffic.floor.FormationPaths;
  * Finds places round a load where all its robots can be, and from where the group has a path to the
  * goal: {@link Shape#around} in eight headings, its places moved as {@link LoadPlaces} says. A load
  * lies along the heading; a square one also cornerwise, its sides along the map. Shapes that share
- * the load evenly come first, then narrow ones. A function of its arguments: a restarted
- * server finds the same. Any thread may ask.
+ * the load evenly come first, then narrow ones. A function of its arguments: a restarted server
+ * finds the same. Any thread may ask.
  */
 final class FormationPlacement {
   private static final int EIGHTHS = 8;

@@ -72,7 +72,9 @@ final class LoadPlaces {
     return Optional.ofNullable(best);
   }
 
-  /** The cells' middles near to a place where a robot can be, nearest first, in the load's frame. */
+  /**
+   * The cells' middles near to a place where a robot can be, nearest first, in the load's frame.
+   */
   private List<Vec2> standable(Vec2 place) {
     Vec2 onMap = load.compose(new Pose(place.x(), place.y(), 0)).position();
     return grid.cellsAround(onMap, (int) Math.ceil(MAX_SHIFT)).stream()
@@ -101,8 +103,7 @@ final class LoadPlaces {
     for (Vec2 place : options.get(places.size())) {
       boolean isApart =
           places.stream()
-              .allMatch(
-                  other -> place.distanceTo(other) >= 2 * radius + BETWEEN_ROBOTS - ROUNDING);
+              .allMatch(other -> place.distanceTo(other) >= 2 * radius + BETWEEN_ROBOTS - ROUNDING);
       if (isApart && sets < MAX_SETS) {
         places.add(place);
         choose(places);

@@ -5,6 +5,9 @@ import java.util.BitSet;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
+import org.jspecify.annotations.Nullable;
+import org.toqa.formation.Shape;
 import org.toqa.geometry.Pose;
 import org.toqa.geometry.Vec2;
 import org.toqa.grid.OccupancyGrid;
@@ -26,6 +29,9 @@ public final class FormationPaths {
   /** By shape and margin: states of the leader from where there is none. */
   private final Map<List<Number>, BitSet> dead = new HashMap<>();
 
+  /** Where the load was nearest to the goal in what was searched in vain, metres, map frame. */
+  private @Nullable Vec2 nearest;
+
   /**
    * @param goal where the load is carried, metres, map frame
    */
@@ -42,17 +48,63 @@ public final class FormationPaths {
     Pose start = FormationPlanner.start(grid, leader);
     double metres = formation.shape().loadAt(start).position().distanceTo(goal);
     return metres < FormationLattice.goalTolerance(grid)
-        || FormationPlanner.MARGINS.stream()
-            .anyMatch(margin -> hasPath(formation, start, margin));
+        || FormationPlanner.MARGINS.stream().anyMatch(margin -> hasPath(formation, start, margin));
   }
 
   private boolean hasPath(FormationFootprint formation, Pose start, double margin) {
     FormationClearance clearance =
         new FormationClearance(grid, formation, start, walls, List.of(), margin);
     BitSet deadStates = dead.computeIfAbsent(key(formation, margin), _ -> new BitSet());
-    return FormationPlanner.trajectory(
-            grid, formation.shape(), start, goal, DriveSpeeds.DEFAULT, clearance, deadStates)
-        .isPresent();
+    boolean isFound =
+        FormationPlanner.trajectory(
+                grid, formation.shape(), start, goal, DriveSpeeds.DEFAULT, clearance, deadStates)
+            .isPresent();
+    if (!isFound) {
+      recordNearest(formation.shape(), deadStates);
+    }
+    return isFound;
+  }
+
+  private void recordNearest(Shape shape, BitSet states) {
+    FormationLattice lattice = FormationLattice.of(grid);
+    for (int state = states.nextSetBit(0); state >= 0; state = states.nextSetBit(state + 1)) {
+      Vec2 load = shape.loadAt(lattice.pose(state)).position();
+      if (nearest == null || load.distanceTo(goal) < nearest.distanceTo(goal)) {
+        nearest = load;
+      }
+    }
+  }
+
+  /**
+   * Where the load comes nearest to the goal, metres, map frame; empty where no formation that was
+   * asked about can move at all.
+   */
+  public Optional<Vec2> nearest() {
+    return Optional.ofNullable(nearest);
+  }
+
+  /** Whether there is room for the formation at the goal, in some heading. */
+  public boolean hasRoomAtGoal(FormationFootprint formation) {
+    FormationLattice lattice = FormationLattice.of(grid);
+    double tolerance = FormationLattice.goalTolerance(grid);
+    boolean[] hasRoom = {false};
+    lattice.forEachPointAround(
+        goal,
+        formation.shape().leader().norm() + tolerance,
+        (column, row) -> {
+          for (int heading = 0; heading < 8 && !hasRoom[0]; heading++) {
+            Pose leader = lattice.pose(lattice.state(column, row, heading));
+            hasRoom[0] =
+                formation.shape().loadAt(leader).position().distanceTo(goal) < tolerance
+                    && formation.isClearOf(grid, leader, FormationClearance.MARGIN, walls);
+          }
+        });
+    return hasRoom[0];
+  }
+
+  /** Metres that a passage must be wide so that the formation comes through. */
+  public static double passageWidth(FormationFootprint formation) {
+    return formation.width() + 2 * FormationClearance.MARGIN;
   }
 
   private static List<Number> key(FormationFootprint formation, double margin) {

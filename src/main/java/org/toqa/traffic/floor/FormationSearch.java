@@ -114,19 +114,23 @@ final class FormationSearch {
       }
       reached.clear(state);
       if (++expanded == FEW_STATES && isGoalClosed()) {
-        return arcToGoal();
+        break;
       }
       if (isGoal(lattice.pose(state))) {
         return Optional.of(trajectoryTo(state));
       }
       moves.forEachFrom(state, (next, length) -> reach(next, state, lengths[state] + length));
     }
+    addReachedTo(dead);
+    return arcToGoal();
+  }
+
+  private void addReachedTo(BitSet states) {
     for (int state = 0; state < lengths.length; state++) {
       if (lengths[state] < Double.POSITIVE_INFINITY) {
-        dead.set(state);
+        states.set(state);
       }
     }
-    return arcToGoal();
   }
 
   /**

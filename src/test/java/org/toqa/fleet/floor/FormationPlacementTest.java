@@ -5,7 +5,9 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.nio.file.Path;
 import java.time.Instant;
+import java.util.ArrayList;
 import java.util.BitSet;
+import java.util.List;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.Random;
@@ -19,6 +21,7 @@ import org.toqa.grid.FloorMap;
 import org.toqa.grid.FloorReader;
 import org.toqa.grid.OccupancyGrid;
 import org.toqa.grid.Place;
+import org.toqa.motion.Trajectory;
 import org.toqa.traffic.Deadline;
 import org.toqa.traffic.floor.FloorTraffic;
 import org.toqa.traffic.mapf.LacamJointPlanner;
@@ -41,13 +44,33 @@ class FormationPlacementTest {
   }
 
   @Test
-  void twoRobotsCarryBetweenMostStationsOfTheLab() {
-    int paths = 0;
+  void threeRobotsCarryBetweenNearlyAllStationsOfTheLab() {
+    List<String> refused = new ArrayList<>();
+    int pairs = 0;
     for (Place start : lab.stations()) {
-      Place goal = lab.stations().get((lab.stations().indexOf(start) + 5) % lab.stations().size());
-      paths += round(start, goal, 2).isPresent() ? 1 : 0;
+      for (Place goal : lab.stations()) {
+        if (!start.equals(goal)) {
+          pairs++;
+          Optional<Formation> found = round(start, goal, 3);
+          found.ifPresent(FormationPlacementTest::assertEvenAndApart);
+          if (found.isEmpty()) {
+            refused.add(start.name() + " to " + goal.name());
+          }
+        }
+      }
     }
-    assertTrue(paths > lab.stations().size() / 2, paths + " of " + lab.stations().size());
+    assertTrue(refused.size() <= 0.1 * pairs, refused.size() + " of " + pairs + ": " + refused);
+  }
+
+  /** Each carries the same share, and can come to its place when the others are there. */
+  private static void assertEvenAndApart(Formation formation) {
+    assertTrue(formation.shape().imbalance() < 0.01, formation::toString);
+    for (int i = 0; i < 3; i++) {
+      for (int other = 0; other < i; other++) {
+        double apart = formation.pose(i).distanceTo(formation.pose(other)) - 2 * RADIUS;
+        assertTrue(apart >= 2 * Trajectory.MAX_DEVIATION - 1e-9, formation::toString);
+      }
+    }
   }
 
   /** The same walls in cells of 5 cm: every pose that is free there is free here. */
