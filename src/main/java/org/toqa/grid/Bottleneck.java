@@ -102,8 +102,8 @@ public record Bottleneck(Vec2 place, double width) {
 
     int index(Vec2 point) {
       Vec2 seen = point.minus(grid.origin()).times(1 / step);
-      int column = (int) Math.clamp(Math.round(seen.x()), 0, columns - 1);
-      int row = (int) Math.clamp(rows - 1 - Math.round(seen.y()), 0, rows - 1);
+      int column = Math.clamp(Math.round(seen.x()), 0, columns - 1);
+      int row = Math.clamp(rows - 1 - Math.round(seen.y()), 0, rows - 1);
       return row * columns + column;
     }
 

@@ -11,6 +11,7 @@ import java.util.List;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.Random;
+import java.util.stream.IntStream;
 import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
@@ -43,22 +44,28 @@ class FormationPlacementTest {
     places = new FormationPlacement(lab.grid());
   }
 
+  /** From each station to two others and to each from two; {@code -Dtoqa.stations=all}: to all. */
   @Test
   void threeRobotsCarryBetweenNearlyAllStationsOfTheLab() {
+    List<Place> stations = lab.stations();
+    boolean isWhole = "all".equals(System.getProperty("toqa.stations"));
+    int[] others =
+        isWhole
+            ? IntStream.range(1, stations.size()).toArray()
+            : new int[] {1, stations.size() / 2};
     List<String> refused = new ArrayList<>();
-    int pairs = 0;
-    for (Place start : lab.stations()) {
-      for (Place goal : lab.stations()) {
-        if (!start.equals(goal)) {
-          pairs++;
-          Optional<Formation> found = round(start, goal, 3);
-          found.ifPresent(FormationPlacementTest::assertEvenAndApart);
-          if (found.isEmpty()) {
-            refused.add(start.name() + " to " + goal.name());
-          }
+    for (int i = 0; i < stations.size(); i++) {
+      for (int other : others) {
+        Place start = stations.get(i);
+        Place goal = stations.get((i + other) % stations.size());
+        Optional<Formation> found = round(start, goal, 3);
+        found.ifPresent(FormationPlacementTest::assertEvenAndApart);
+        if (found.isEmpty()) {
+          refused.add(start.name() + " to " + goal.name());
         }
       }
     }
+    int pairs = stations.size() * others.length;
     assertTrue(refused.size() <= 0.1 * pairs, refused.size() + " of " + pairs + ": " + refused);
   }
 
