@@ -1,7 +1,11 @@
 package org.toqa.grid;
 
+import java.util.ArrayDeque;
 import java.util.Arrays;
+import java.util.BitSet;
 import java.util.Comparator;
+import java.util.Deque;
+import java.util.List;
 import java.util.Optional;
 import java.util.stream.IntStream;
 import org.toqa.geometry.Vec2;
@@ -23,13 +27,15 @@ public record Bottleneck(Vec2 place, double width) {
   /**
    * @param from metres, map frame
    * @param to metres, map frame
-   * @param limit width from which a place is no narrow one, metres
+   * @param limit width from which a place is no narrow one, metres; nor is one so near to an end
    * @return empty where a way is nowhere narrower than that, or there is none
    */
   public static Optional<Bottleneck> between(OccupancyGrid grid, Vec2 from, Vec2 to, double limit) {
     HalfCells points = new HalfCells(grid, limit / 2);
     int start = points.index(from);
     int end = points.index(to);
+    points.open(start, limit);
+    points.open(end, limit);
     int last = points.join(start, end);
     return last < 0 || points.gap[last] >= limit / 2 - 1e-9
         ? Optional.empty()
@@ -47,17 +53,21 @@ public record Bottleneck(Vec2 place, double width) {
 
     private final int[] part;
 
+    /** Metres. */
+    private final double limit;
+
     HalfCells(OccupancyGrid grid, double limit) {
       this.grid = grid;
+      this.limit = limit;
       this.step = grid.resolution() / 2;
       this.columns = 2 * grid.width() + 1;
       this.rows = 2 * grid.height() + 1;
-      this.gap = gaps(limit);
+      this.gap = gaps();
       this.part = new int[gap.length];
       Arrays.fill(part, -1);
     }
 
-    private double[] gaps(double limit) {
+    private double[] gaps() {
       int reach = (int) Math.ceil(limit / step);
       int[] inRow = new int[columns * rows];
       for (int row = 0; row < rows; row++) {
@@ -110,6 +120,34 @@ public record Bottleneck(Vec2 place, double width) {
     Vec2 at(int index) {
       Vec2 seen = new Vec2(index % columns, rows - 1 - index / columns);
       return grid.origin().plus(seen.times(step));
+    }
+
+    /** Lets no place count that is so near to an end: a wall beside that makes no passage. */
+    void open(int end, double near) {
+      Vec2 middle = at(end);
+      BitSet seen = new BitSet();
+      Deque<Integer> next = new ArrayDeque<>(List.of(end));
+      while (!next.isEmpty()) {
+        int i = next.remove();
+        boolean isIn = gap[i] > 0 && at(i).distanceTo(middle) < near && !seen.get(i);
+        if (isIn) {
+          seen.set(i);
+          int column = i % columns;
+          if (column > 0) {
+            next.add(i - 1);
+          }
+          if (column < columns - 1) {
+            next.add(i + 1);
+          }
+          if (i >= columns) {
+            next.add(i - columns);
+          }
+          if (i < gap.length - columns) {
+            next.add(i + columns);
+          }
+        }
+      }
+      seen.stream().forEach(i -> gap[i] = Math.max(gap[i], limit));
     }
 
     /** The point by which both are joined; -1: nothing joins them. */

@@ -11,24 +11,24 @@ class BottleneckTest {
   /** Two rooms of cells of 1 m, a door of two cells above and one of a single cell below. */
   private static final OccupancyGrid ROOMS =
       OccupancyGrid.parse(
-          "#########",
-          "#...#...#",
-          "#.......#",
-          "#.......#",
-          "#...#...#",
-          "#.......#",
-          "#...#...#",
-          "#########");
+          "#################",
+          "#.......#.......#",
+          "#...............#",
+          "#...............#",
+          "#.......#.......#",
+          "#...............#",
+          "#.......#.......#",
+          "#################");
 
   private static Optional<Bottleneck> between(double limit) {
-    return Bottleneck.between(ROOMS, new Vec2(2.5, 4.5), new Vec2(6.5, 4.5), limit);
+    return Bottleneck.between(ROOMS, new Vec2(3.5, 4.5), new Vec2(13.5, 4.5), limit);
   }
 
   @Test
   void theWidestWayIsNarrowestInItsDoor() {
     Bottleneck door = between(3).orElseThrow();
     assertEquals(2, door.width(), 1e-9);
-    assertEquals(4.5, door.place().x(), 0.51);
+    assertEquals(8.5, door.place().x(), 0.51);
     assertEquals(5, door.place().y(), 1e-9); // between the third and the fourth row of eight
   }
 
