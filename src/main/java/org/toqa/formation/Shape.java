@@ -92,6 +92,12 @@ public record Shape(Vec2 leader, List<Vec2> followers) {
         .toList();
   }
 
+  /** Metres from the middle of the load to that of the robots: at 0 they carry equal shares. */
+  public double imbalance() {
+    Vec2 sum = followers.stream().reduce(leader, Vec2::plus);
+    return sum.norm() / (1 + followers.size());
+  }
+
   /** Metres from the leader to the follower that is farthest from it. */
   public double reach() {
     return offsets().stream().mapToDouble(Vec2::norm).max().orElseThrow();

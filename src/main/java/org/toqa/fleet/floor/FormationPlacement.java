@@ -1,52 +1,38 @@
 package org.toqa.fleet.floor;
 
-import java.time.Instant;
-import java.util.ArrayList;
-import java.util.HashSet;
+import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
-import java.util.Set;
+import java.util.stream.IntStream;
+import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 import org.toqa.formation.Shape;
 import org.toqa.geometry.Pose;
 import org.toqa.geometry.Vec2;
-import org.toqa.grid.Cell;
-import org.toqa.grid.Disc;
 import org.toqa.grid.OccupancyGrid;
 import org.toqa.mission.TransportTask.LoadSize;
-import org.toqa.traffic.Deadline;
-import org.toqa.traffic.floor.FloorTraffic;
 import org.toqa.traffic.floor.FormationFootprint;
-import org.toqa.traffic.mapf.LacamJointPlanner;
+import org.toqa.traffic.floor.FormationPaths;
 
 /**
- * Finds places round a load where all its robots can be: {@link Shape#around}, turned east, north,
- * west or south until every place is clear of walls and the group has a path to the goal, each
- * place moved to the middle of a cell so that no two robots touch the same one. A function of its
- * arguments: a restarted server finds the same. Confined to one thread.
+ * Finds places round a load where all its robots can be, and from where the group has a path to the
+ * goal: {@link Shape#around} in eight headings, its places moved as {@link LoadPlaces} says. A load
+ * lies along the heading; a square one also cornerwise, its sides along the map. Shapes that share
+ * the load evenly come first, then narrow ones. A function of its arguments: a restarted server
+ * finds the same. Any thread may ask.
  */
 final class FormationPlacement {
-  private static final int QUARTERS = 4;
+  private static final int EIGHTHS = 8;
 
-  /** Cells beside the ideal place that are looked at. */
-  private static final int SEARCH_RADIUS = 2;
+  private static final double EIGHTH = Math.PI / 4;
 
-  /** Metres of air between a robot and the load at least. */
-  private static final double CLEARANCE = 0.01;
-
-  /** Cells that a place may be moved by. */
-  private static final double MAX_SHIFT = 1;
-
-  private static final String LEADER = "leader";
+  /** Metres; shapes that differ by less are alike. */
+  private static final double ALIKE = 0.05;
 
   private final OccupancyGrid grid;
 
-  /** Without any other robot. */
-  private final FloorTraffic empty;
-
   FormationPlacement(OccupancyGrid grid) {
     this.grid = grid;
-    this.empty = new FloorTraffic(grid, new LacamJointPlanner(), Deadline::none);
   }
 
   /**
@@ -58,77 +44,36 @@ final class FormationPlacement {
   Optional<Formation> find(
       Vec2 object, Vec2 goal, int robots, @Nullable LoadSize requestedSize, double radius) {
     LoadSize size = requestedSize == null ? LoadSize.DEFAULT : requestedSize;
+    FormationPaths paths = new FormationPaths(grid, goal);
+    return around(object, robots, size, radius).stream()
+        .filter(formation -> paths.hasPath(formation.group(), formation.pose(0)))
+        .findFirst();
+  }
+
+  /** Those that have room where the load is, the best first. */
+  List<Formation> around(Vec2 object, int robots, LoadSize size, double radius) {
     Shape ideal = Shape.around(robots, size.length(), size.width(), radius);
-    for (int quarter = 0; quarter < QUARTERS; quarter++) {
-      Pose load = new Pose(object.x(), object.y(), quarter * Math.PI / 2);
-      Optional<Shape> shape = alignedToCells(ideal, load, size, radius);
-      if (shape.isPresent()) {
-        FormationFootprint group =
-            new FormationFootprint(shape.get(), radius, size.length(), size.width());
-        Formation formation = new Formation(shape.get(), load, size, group);
-        if (hasPath(formation, goal, 2 * radius)) {
-          return Optional.of(formation);
-        }
-      }
-    }
-    return Optional.empty();
+    return IntStream.range(0, EIGHTHS)
+        .boxed()
+        .flatMap(eighths -> at(object, eighths, ideal, size, radius))
+        .sorted(
+            Comparator.<Formation>comparingLong(f -> Math.round(f.shape().imbalance() / ALIKE))
+                .thenComparingLong(f -> Math.round(f.group().width() / ALIKE)))
+        .toList();
   }
 
-  private boolean hasPath(Formation formation, Vec2 goal, double footprint) {
-    empty.reportStanding(LEADER, formation.pose(0), footprint, Instant.EPOCH);
-    empty.setFormation(LEADER, formation.group());
-    empty.setMovable(LEADER, true);
-    empty.setGoal(LEADER, goal, Instant.EPOCH);
-    empty.decide(Instant.EPOCH);
-    boolean hasPath = empty.waitReason(LEADER) == null;
-    empty.removeRobot(LEADER);
-    return hasPath;
-  }
-
-  private Optional<Shape> alignedToCells(Shape ideal, Pose load, LoadSize size, double radius) {
-    List<Vec2> wanted = new ArrayList<>(ideal.followers());
-    wanted.addFirst(ideal.leader());
-    Set<Cell> taken = new HashSet<>();
-    List<Vec2> places = new ArrayList<>();
-    for (Vec2 place : wanted) {
-      Vec2 found = nearestStandable(place, load, size, radius, taken);
-      if (found == null) {
-        return Optional.empty();
-      }
-      places.add(found);
-      Vec2 onMap = load.compose(new Pose(found.x(), found.y(), 0)).position();
-      taken.addAll(new Disc(radius).cellsAt(grid, onMap));
-    }
-    return Optional.of(new Shape(places.getFirst(), places.subList(1, places.size())));
-  }
-
-  /** In the load's frame; null where there is none. */
-  private @Nullable Vec2 nearestStandable(
-      Vec2 place, Pose load, LoadSize size, double radius, Set<Cell> taken) {
-    Cell middle = grid.cellAt(load.compose(new Pose(place.x(), place.y(), 0)).position());
-    Vec2 best = null;
-    for (int row = -SEARCH_RADIUS; row <= SEARCH_RADIUS; row++) {
-      for (int column = -SEARCH_RADIUS; column <= SEARCH_RADIUS; column++) {
-        Cell cell = new Cell(middle.column() + column, middle.row() + row);
-        Vec2 onMap = grid.centre(cell);
-        Pose seen = load.relative(new Pose(onMap.x(), onMap.y(), load.theta()));
-        Vec2 candidate = seen.position();
-        boolean isRight =
-            gap(candidate, size) >= radius + CLEARANCE
-                && candidate.distanceTo(place) <= MAX_SHIFT * grid.resolution()
-                && (best == null || candidate.distanceTo(place) < best.distanceTo(place) - 1e-9)
-                && new Disc(radius).isFreeAt(grid, onMap)
-                && new Disc(radius).cellsAt(grid, onMap).stream().noneMatch(taken::contains);
-        best = isRight ? candidate : best;
-      }
-    }
-    return best;
-  }
-
-  /** From a point to the load's edge, metres. */
-  private static double gap(Vec2 point, LoadSize size) {
-    return Math.hypot(
-        Math.max(0, Math.abs(point.x()) - size.length() / 2),
-        Math.max(0, Math.abs(point.y()) - size.width() / 2));
+  private Stream<Formation> at(
+      Vec2 object, int eighths, Shape ideal, LoadSize size, double radius) {
+    Pose load = new Pose(object.x(), object.y(), eighths * EIGHTH);
+    boolean isCornerwise = eighths % 2 == 1 && size.length() == size.width();
+    return new LoadPlaces(grid, load, size, isCornerwise ? EIGHTH : 0, radius)
+        .nearest(ideal).stream()
+            .map(
+                shape ->
+                    new Formation(
+                        shape,
+                        load,
+                        size,
+                        new FormationFootprint(shape, radius, size.length(), size.width())));
   }
 }

@@ -13,7 +13,7 @@ import org.toqa.wording.Sentence;
 /**
  * Checks many orders at once. It waits for their paths, so that is done on a thread of its own.
  *
- * @param totalCapacity what all robots carry together, kilograms
+ * @param capacity of all robots that there are
  * @param check of all of them together
  */
 record BatchValidation(
@@ -21,7 +21,7 @@ record BatchValidation(
     List<TaskOrder> orders,
     String user,
     Instant now,
-    double totalCapacity,
+    Capacity capacity,
     OrderChecks.Check check) {
 
   /**
@@ -45,7 +45,7 @@ record BatchValidation(
           checked.thenCompose(
               _ ->
                   validator
-                      .checkAll(orders.get(index), user, now, totalCapacity, check)
+                      .checkAll(orders.get(index), user, now, capacity, check)
                       .thenAccept(
                           answers ->
                               answers.forEach(answer -> add(answer, index, tasks, rejections))));

@@ -113,6 +113,12 @@ final class FleetState {
         .sum();
   }
 
+  Capacity capacity() {
+    return new Capacity(
+        totalCapacity(),
+        floorMaps.keySet().stream().collect(Collectors.toMap(floor -> floor, this::candidates)));
+  }
+
   /** The floor whose agent has the task: it has robots, or its load lies there. */
   Optional<String> floorOf(long task) {
     return Stream.concat(

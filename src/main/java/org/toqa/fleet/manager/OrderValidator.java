@@ -9,11 +9,13 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.CompletionException;
 import java.util.concurrent.CompletionStage;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 import org.toqa.fleet.Answer;
+import org.toqa.fleet.CheckRefusedException;
 import org.toqa.fleet.PathAnswer;
 import org.toqa.fleet.PathQuestion;
 import org.toqa.fleet.RobotChange;
@@ -28,6 +30,7 @@ import org.toqa.grid.FloorMap;
 import org.toqa.grid.Inflation;
 import org.toqa.grid.OccupancyGrid;
 import org.toqa.grid.Place;
+import org.toqa.mission.Mission;
 import org.toqa.mission.TaskPlace;
 import org.toqa.mission.TransportTask;
 import org.toqa.wording.Phrase;
@@ -63,13 +66,13 @@ final class OrderValidator {
   /**
    * Checks an order for a task. Paths are planned on another thread, so the answer may come later.
    *
-   * @param totalCapacity what all robots carry together, kilograms
+   * @param capacity of all robots that there are
    * @param check of this order
    * @return the task, its id not known yet; or the sentence against it, with the order's field
    */
   CompletionStage<Answer<TransportTask>> checkTask(
-      TaskOrder order, String user, Instant now, double totalCapacity, OrderChecks.Check check) {
-    return checkAll(order, user, now, totalCapacity, check).thenApply(List::getFirst);
+      TaskOrder order, String user, Instant now, Capacity capacity, OrderChecks.Check check) {
+    return checkAll(order, user, now, capacity, check).thenApply(List::getFirst);
   }
 
   /**
@@ -78,10 +81,12 @@ final class OrderValidator {
    * @return the task alone, or one rejection or more
    */
   CompletionStage<List<Answer<TransportTask>>> checkAll(
-      TaskOrder order, String user, Instant now, double totalCapacity, OrderChecks.Check check) {
-    List<Answer<TransportTask>> resolved = resolveTask(order, user, now, totalCapacity);
+      TaskOrder order, String user, Instant now, Capacity capacity, OrderChecks.Check check) {
+    List<Answer<TransportTask>> resolved = resolveTask(order, user, now, capacity.total());
     return resolved.getFirst() instanceof Answer.Accepted<TransportTask>(TransportTask task)
-        ? checkPath(task, check).thenApply(List::of)
+        ? checkPath(task, check)
+            .thenCompose(checked -> checkRoom(checked, capacity, check))
+            .thenApply(List::of)
         : CompletableFuture.completedFuture(resolved);
   }
 
@@ -177,6 +182,45 @@ final class OrderValidator {
                       new Answer.Accepted<>(task);
                   case FloorPath.NotFound _ -> noPath(task.start(), task.goal());
                 });
+  }
+
+  /**
+   * Whether as many robots as it takes, the narrowest that there are, have room on the map: what
+   * they have none for now waits, what they never will is refused. Where that does not show in
+   * time, it waits.
+   */
+  private CompletionStage<Answer<TransportTask>> checkRoom(
+      Answer<TransportTask> checked, Capacity capacity, OrderChecks.Check check) {
+    if (!(checked instanceof Answer.Accepted<TransportTask>(TransportTask task))) {
+      return CompletableFuture.completedFuture(checked);
+    }
+    Mission mission = Mission.queued(task);
+    return capacity
+        .narrowestTeam(task)
+        .map(
+            team ->
+                paths
+                    .objectionToTeam(
+                        floor(task.floor()).orElseThrow().grid(),
+                        mission,
+                        PathQuery.TeamQuestion.of(mission, team),
+                        check)
+                    .exceptionally(OrderValidator::noObjectionInTime)
+                    .thenApply(
+                        objection ->
+                            objection
+                                .<Answer<TransportTask>>map(
+                                    why -> new Answer.Rejected<>("load", why))
+                                .orElse(checked)))
+        .orElse(CompletableFuture.completedFuture(checked));
+  }
+
+  private static Optional<Sentence> noObjectionInTime(Throwable failure) {
+    Throwable cause = failure instanceof CompletionException e ? e.getCause() : failure;
+    if (cause instanceof CheckRefusedException) {
+      return Optional.empty();
+    }
+    throw new CompletionException(cause);
   }
 
   Answer<RobotRecord> checkRobot(RobotOrder order, List<RobotRecord> existing) {

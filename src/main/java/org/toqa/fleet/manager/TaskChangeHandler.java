@@ -51,7 +51,7 @@ final class TaskChangeHandler {
     }
     var _ =
         validator
-            .checkTask(m.order(), m.user(), fleet.clock.instant(), fleet.totalCapacity(), m.check())
+            .checkTask(m.order(), m.user(), fleet.clock.instant(), fleet.capacity(), m.check())
             .whenComplete(
                 (checked, failure) -> {
                   m.check().close();

@@ -94,7 +94,7 @@ final class TaskCommandHandler {
 
   private CompletionStage<Answer<TransportTask>> checkOrder(
       TaskOrder order, String user, OrderChecks.Check check) {
-    return validator.checkTask(order, user, fleet.clock.instant(), fleet.totalCapacity(), check);
+    return validator.checkTask(order, user, fleet.clock.instant(), fleet.capacity(), check);
   }
 
   /** Adopts all orders of its user that are checked and before which none waits for its check. */
@@ -176,7 +176,7 @@ final class TaskCommandHandler {
       List<TaskOrder> orders, String user, OrderChecks.Check check) {
     BatchValidation batch =
         new BatchValidation(
-            validator, orders, user, fleet.clock.instant(), fleet.totalCapacity(), check);
+            validator, orders, user, fleet.clock.instant(), fleet.capacity(), check);
     return CompletableFuture.completedFuture(null)
         .thenComposeAsync(_ -> batch.run(), fleet.runtime.threadPerTaskExecutor("batch"));
   }

@@ -78,6 +78,13 @@ public final class FormationFootprint {
     return parts.stream().mapToDouble(p -> p.offset().norm() + p.radius()).max().orElseThrow();
   }
 
+  /** Metres, from its rightmost to its leftmost point. */
+  public double width() {
+    double left = parts.stream().mapToDouble(p -> p.offset().y() + p.radius()).max().orElseThrow();
+    double right = parts.stream().mapToDouble(p -> p.offset().y() - p.radius()).min().orElseThrow();
+    return left - right;
+  }
+
   /** Of the smallest of its discs, metres. */
   double smallestRadius() {
     return parts.stream().mapToDouble(Part::radius).min().orElseThrow();

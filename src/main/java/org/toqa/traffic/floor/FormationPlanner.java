@@ -3,14 +3,13 @@ package org.toqa.traffic.floor;
 import java.util.BitSet;
 import java.util.List;
 import java.util.Optional;
-import java.util.stream.Stream;
 import org.toqa.formation.Shape;
 import org.toqa.formation.TrajectoryRules;
 import org.toqa.geometry.Angles;
 import org.toqa.geometry.Pose;
 import org.toqa.geometry.Vec2;
 import org.toqa.grid.OccupancyGrid;
-import org.toqa.motion.SegmentFitter;
+import org.toqa.motion.DriveSpeeds;
 import org.toqa.motion.Trajectory;
 
 /**
@@ -26,6 +25,10 @@ final class FormationPlanner {
 
   /** Sections end at least so far apart, metres. */
   private static final double PASSING_PLACE_SPACING = 0.3;
+
+  /** Kept from walls round the start, metres, in the order in which they are tried. */
+  static final List<Double> MARGINS =
+      List.of(FormationClearance.MARGIN, FormationClearance.LEAST_MARGIN);
 
   private final OccupancyGrid grid;
   private final SectionFitter fitter;
@@ -65,24 +68,37 @@ final class FormationPlanner {
       BitSet solid,
       List<SweptArea> claimed) {
     Pose start = robot.committedEnd();
-    return Stream.of(FormationClearance.MARGIN, FormationClearance.LEAST_MARGIN)
+    return MARGINS.stream()
         .map(margin -> new FormationClearance(grid, formation, start, solid, claimed, margin))
-        .flatMap(clearance -> path(robot, formation.shape(), start, goal, clearance).stream())
+        .flatMap(
+            clearance ->
+                trajectory(
+                    grid, formation.shape(), start, goal, robot.speeds(), clearance, new BitSet())
+                    .stream())
+        .map(trajectory -> sections(robot, trajectory))
         .findFirst();
   }
 
-  private Optional<List<Section>> path(
-      TrafficRobot robot, Shape shape, Pose start, Vec2 goal, FormationClearance clearance) {
-    TrajectoryRules rules = new TrajectoryRules(shape, robot.speeds().forward());
-    SegmentFitter arcs =
-        new SegmentFitter(robot.speeds(), rules.cornerLength(FormationLattice.EIGHTH));
-    return new FormationSearch(grid, shape, clearance, start, goal, robot.speeds(), arcs)
-        .trajectory()
+  /**
+   * The same, not cut into sections.
+   *
+   * @param dead as in {@link FormationSearch#trajectory}
+   */
+  static Optional<Trajectory> trajectory(
+      OccupancyGrid grid,
+      Shape shape,
+      Pose start,
+      Vec2 goal,
+      DriveSpeeds speeds,
+      FormationClearance clearance,
+      BitSet dead) {
+    TrajectoryRules rules = new TrajectoryRules(shape, speeds.forward());
+    return new FormationSearch(grid, shape, clearance, start, goal, speeds)
+        .trajectory(dead)
         .map(rules::slowed)
         .filter(trajectory -> rules.firstBreach(trajectory).isEmpty())
         .filter(clearance::isKeptOn)
-        .map(trajectory -> sections(robot, trajectory))
-        .filter(sections -> !sections.isEmpty());
+        .filter(trajectory -> !trajectory.segments().isEmpty());
   }
 
   private List<Section> sections(TrafficRobot robot, Trajectory trajectory) {

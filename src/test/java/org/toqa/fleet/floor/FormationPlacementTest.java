@@ -5,10 +5,13 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.nio.file.Path;
 import java.time.Instant;
+import java.util.ArrayList;
 import java.util.BitSet;
+import java.util.List;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.Random;
+import java.util.stream.IntStream;
 import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
@@ -19,6 +22,7 @@ import org.toqa.grid.FloorMap;
 import org.toqa.grid.FloorReader;
 import org.toqa.grid.OccupancyGrid;
 import org.toqa.grid.Place;
+import org.toqa.motion.Trajectory;
 import org.toqa.traffic.Deadline;
 import org.toqa.traffic.floor.FloorTraffic;
 import org.toqa.traffic.mapf.LacamJointPlanner;
@@ -40,14 +44,40 @@ class FormationPlacementTest {
     places = new FormationPlacement(lab.grid());
   }
 
+  /** From each station to two others and to each from two; {@code -Dtoqa.stations=all}: to all. */
   @Test
-  void twoRobotsCarryBetweenMostStationsOfTheLab() {
-    int paths = 0;
-    for (Place start : lab.stations()) {
-      Place goal = lab.stations().get((lab.stations().indexOf(start) + 5) % lab.stations().size());
-      paths += round(start, goal, 2).isPresent() ? 1 : 0;
+  void threeRobotsCarryBetweenNearlyAllStationsOfTheLab() {
+    List<Place> stations = lab.stations();
+    boolean isWhole = "all".equals(System.getProperty("toqa.stations"));
+    int[] others =
+        isWhole
+            ? IntStream.range(1, stations.size()).toArray()
+            : new int[] {1, stations.size() / 2};
+    List<String> refused = new ArrayList<>();
+    for (int i = 0; i < stations.size(); i++) {
+      for (int other : others) {
+        Place start = stations.get(i);
+        Place goal = stations.get((i + other) % stations.size());
+        Optional<Formation> found = round(start, goal, 3);
+        found.ifPresent(FormationPlacementTest::assertEvenAndApart);
+        if (found.isEmpty()) {
+          refused.add(start.name() + " to " + goal.name());
+        }
+      }
     }
-    assertTrue(paths > lab.stations().size() / 2, paths + " of " + lab.stations().size());
+    int pairs = stations.size() * others.length;
+    assertTrue(refused.size() <= 0.1 * pairs, refused.size() + " of " + pairs + ": " + refused);
+  }
+
+  /** Each carries the same share, and can come to its place when the others are there. */
+  private static void assertEvenAndApart(Formation formation) {
+    assertTrue(formation.shape().imbalance() < 0.01, formation::toString);
+    for (int i = 0; i < 3; i++) {
+      for (int other = 0; other < i; other++) {
+        double apart = formation.pose(i).distanceTo(formation.pose(other)) - 2 * RADIUS;
+        assertTrue(apart >= 2 * Trajectory.MAX_DEVIATION - 1e-9, formation::toString);
+      }
+    }
   }
 
   /** The same walls in cells of 5 cm: every pose that is free there is free here. */

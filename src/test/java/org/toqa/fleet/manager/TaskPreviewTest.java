@@ -118,28 +118,53 @@ class TaskPreviewTest {
   }
 
   @Test
-  void aHeavyLoadWhereThereIsNoRoomForBothSaysSo() throws Exception {
-    TaskPreview told = preview(order(8, "Mill", "Goods-out", new LoadSize(0.9, 0.9)));
+  void whatNoTeamHasRoomForIsRefusedAndToldWhere() throws Exception {
+    assertRefused("around the load at Mill", order(8, "Mill", "Goods-out", new LoadSize(3, 3)));
+    assertRefused("is 0.90 m wide", order(8, "Packing 2", "Workbench 2", new LoadSize(0.7, 0.7)));
+  }
 
-    assertEquals(2, told.robots());
-    assertEquals(List.of(), told.chosen());
-    assertTrue(
-        told.reason().english().contains("there is no room for them around the load at Mill"),
-        told.reason()::english);
+  private void assertRefused(String why, TaskOrder order) throws Exception {
+    for (Answer<?> answer :
+        List.of(
+            stage.fleet.preview(order, "Clara").toCompletableFuture().get(10, TimeUnit.SECONDS),
+            stage.fleet.submit(order, "Clara").toCompletableFuture().get(10, TimeUnit.SECONDS))) {
+      Answer.Rejected<?> refused = assertInstanceOf(Answer.Rejected.class, answer);
+      assertEquals("load", refused.field());
+      assertTrue(refused.sentence().english().contains(why), refused.sentence()::english);
+    }
+  }
+
+  /** Only who is there counts, not who can come just now. */
+  @Test
+  void whatATeamHasRoomForIsAcceptedThoughItWaits() throws Exception {
+    occupyBoth();
+
+    assertEquals(List.of(), preview(order(8, "Packing 1", "Mill")).chosen());
+    assertInstanceOf(
+        Answer.Accepted.class,
+        stage
+            .fleet
+            .submit(order(8, "Packing 1", "Mill"), "Clara")
+            .toCompletableFuture()
+            .get(10, TimeUnit.SECONDS));
   }
 
   @Test
   void whatAllAreBusyForWaitsAndSaysForWhat() throws Exception {
-    for (int i = 0; i < 2; i++) {
-      stage.fleet.submit(order(LIGHT), "Clara").toCompletableFuture().get(10, TimeUnit.SECONDS);
-    }
-    stage.await(view -> view.robots().stream().allMatch(r -> r.work().task() != null));
+    occupyBoth();
 
     TaskPreview told = preview(order(LIGHT));
 
     assertEquals(1, told.robots());
     assertEquals(List.of(), told.chosen());
     assertTrue(told.reason().english().contains("is working on task 1"), told.reason()::english);
+  }
+
+  private void occupyBoth() throws Exception {
+    for (int i = 0; i < 2; i++) {
+      stage.fleet.submit(order(LIGHT), "Clara").toCompletableFuture().get(10, TimeUnit.SECONDS);
+    }
+    stage.await(view -> view.robots().stream().allMatch(r -> r.work().task() != null));
   }
 
   @Test

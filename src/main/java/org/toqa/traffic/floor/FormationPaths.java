@@ -1,0 +1,118 @@
+package org.toqa.traffic.floor;
+
+import java.util.ArrayList;
+import java.util.BitSet;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import org.jspecify.annotations.Nullable;
+import org.toqa.formation.Shape;
+import org.toqa.geometry.Pose;
+import org.toqa.geometry.Vec2;
+import org.toqa.grid.OccupancyGrid;
+import org.toqa.motion.DriveSpeeds;
+
+/**
+ * Whether formations that stand round one load have a path to its goal on a floor where nobody else
+ * is: one that {@link FloorTraffic} finds too. What is found for one is not searched again for
+ * another of the same shape that faces elsewhere. Confined to one thread.
+ */
+public final class FormationPaths {
+  /** Metres; shapes that differ by less are the same. */
+  private static final double SAME = 1e-6;
+
+  private final OccupancyGrid grid;
+  private final BitSet walls;
+  private final Vec2 goal;
+
+  /** By shape and margin: states of the leader from where there is none. */
+  private final Map<List<Number>, BitSet> dead = new HashMap<>();
+
+  /** Where the load was nearest to the goal in what was searched in vain, metres, map frame. */
+  private @Nullable Vec2 nearest;
+
+  /**
+   * @param goal where the load is carried, metres, map frame
+   */
+  public FormationPaths(OccupancyGrid grid, Vec2 goal) {
+    this.grid = grid;
+    this.walls = grid.occupied();
+    this.goal = goal;
+  }
+
+  /**
+   * @param leader where it stands, map frame
+   */
+  public boolean hasPath(FormationFootprint formation, Pose leader) {
+    Pose start = FormationPlanner.start(grid, leader);
+    double metres = formation.shape().loadAt(start).position().distanceTo(goal);
+    return metres < FormationLattice.goalTolerance(grid)
+        || FormationPlanner.MARGINS.stream().anyMatch(margin -> hasPath(formation, start, margin));
+  }
+
+  private boolean hasPath(FormationFootprint formation, Pose start, double margin) {
+    FormationClearance clearance =
+        new FormationClearance(grid, formation, start, walls, List.of(), margin);
+    BitSet deadStates = dead.computeIfAbsent(key(formation, margin), _ -> new BitSet());
+    boolean isFound =
+        FormationPlanner.trajectory(
+                grid, formation.shape(), start, goal, DriveSpeeds.DEFAULT, clearance, deadStates)
+            .isPresent();
+    if (!isFound) {
+      recordNearest(formation.shape(), deadStates);
+    }
+    return isFound;
+  }
+
+  private void recordNearest(Shape shape, BitSet states) {
+    FormationLattice lattice = FormationLattice.of(grid);
+    for (int state = states.nextSetBit(0); state >= 0; state = states.nextSetBit(state + 1)) {
+      Vec2 load = shape.loadAt(lattice.pose(state)).position();
+      if (nearest == null || load.distanceTo(goal) < nearest.distanceTo(goal)) {
+        nearest = load;
+      }
+    }
+  }
+
+  /**
+   * Where the load comes nearest to the goal, metres, map frame; empty where no formation that was
+   * asked about can move at all.
+   */
+  public Optional<Vec2> nearest() {
+    return Optional.ofNullable(nearest);
+  }
+
+  /** Whether there is room for the formation at the goal, in some heading. */
+  public boolean hasRoomAtGoal(FormationFootprint formation) {
+    FormationLattice lattice = FormationLattice.of(grid);
+    double tolerance = FormationLattice.goalTolerance(grid);
+    boolean[] hasRoom = {false};
+    lattice.forEachPointAround(
+        goal,
+        formation.shape().leader().norm() + tolerance,
+        (column, row) -> {
+          for (int heading = 0; heading < 8 && !hasRoom[0]; heading++) {
+            Pose leader = lattice.pose(lattice.state(column, row, heading));
+            hasRoom[0] =
+                formation.shape().loadAt(leader).position().distanceTo(goal) < tolerance
+                    && formation.isClearOf(grid, leader, FormationClearance.MARGIN, walls);
+          }
+        });
+    return hasRoom[0];
+  }
+
+  /** Metres that a passage must be wide so that the formation comes through. */
+  public static double passageWidth(FormationFootprint formation) {
+    return formation.width() + 2 * FormationClearance.MARGIN;
+  }
+
+  private static List<Number> key(FormationFootprint formation, double margin) {
+    List<Number> key = new ArrayList<>(List.of(margin));
+    for (Vec2 offset : formation.shape().offsets()) {
+      key.add(Math.round(offset.x() / SAME));
+      key.add(Math.round(offset.y() / SAME));
+    }
+    return key;
+  }
+}
