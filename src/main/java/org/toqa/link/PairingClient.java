@@ -70,7 +70,9 @@ record PairingClient(RobotConnector connector, RobotAddress address, PairingCode
   private PairingResult exchangeProofs(LinkSocket link) throws IOException {
     Fingerprint peer = Objects.requireNonNull(link.peer());
     Fingerprint own = connector.tls().fingerprint();
-    link.out().write(LinkCodec.encode(new Pair(address.robot(), PairingProof.SERVER.of(code, peer, own))));
+    link.out()
+        .write(
+            LinkCodec.encode(new Pair(address.robot(), PairingProof.SERVER.of(code, peer, own))));
     LineReader.Line line = new LineReader(link.in()).readLine();
     if (line == null
         || !(LinkCodec.decodePairingMessage(line) instanceof Decoded<PairingMessage>(var answer))) {

@@ -7,9 +7,9 @@ import io.micrometer.core.instrument.MeterRegistry;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.file.Path;
+import java.sql.SQLException;
 import java.time.Duration;
 import java.util.List;
-import java.sql.SQLException;
 import javax.sql.DataSource;
 import org.flywaydb.core.Flyway;
 import org.h2.api.ErrorCode;
@@ -181,7 +181,8 @@ public final class Database implements AutoCloseable {
   /** Whether a file was not opened since another process has it open. */
   public static boolean isInUseElsewhere(Throwable failure) {
     for (Throwable cause = failure; cause != null; cause = cause.getCause()) {
-      if (cause instanceof SQLException e && e.getErrorCode() == ErrorCode.DATABASE_ALREADY_OPEN_1) {
+      if (cause instanceof SQLException e
+          && e.getErrorCode() == ErrorCode.DATABASE_ALREADY_OPEN_1) {
         return true;
       }
     }

@@ -14,7 +14,9 @@ class H2UrlTest {
   @Test
   void aFileLosesNoCommittedRow() {
     assertEquals(
-        "jdbc:h2:file:/data/toqa" + DIALECT + ";RETENTION_TIME=5000;TRACE_LEVEL_FILE=0;WRITE_DELAY=0",
+        "jdbc:h2:file:/data/toqa"
+            + DIALECT
+            + ";RETENTION_TIME=5000;TRACE_LEVEL_FILE=0;WRITE_DELAY=0",
         H2Url.withSettings(H2Url.ofFile(Path.of("/data/toqa"))));
   }
 

@@ -30,7 +30,6 @@ import org.toqa.agent.config.ChassisConfig;
 import org.toqa.link.PairingResult;
 import org.toqa.link.PairingResult.Paired;
 import org.toqa.link.PairingResult.Refused;
-import org.toqa.link.PairingResult.Unreachable;
 import org.toqa.link.RobotAddress;
 import org.toqa.link.TcpRobotLinkFactory;
 import org.toqa.link.message.DecodeResult.Decoded;
@@ -45,7 +44,6 @@ import org.toqa.link.trust.LinkTls;
 import org.toqa.link.trust.PairingCode;
 import org.toqa.link.trust.PairingProof;
 import org.toqa.link.trust.TimeLimit;
-import org.toqa.wording.Phrase;
 import org.toqa.wording.Sentence;
 
 /**

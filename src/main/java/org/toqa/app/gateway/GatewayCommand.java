@@ -2,11 +2,11 @@ package org.toqa.app.gateway;
 
 import java.nio.file.Path;
 import java.util.concurrent.Callable;
-import org.toqa.link.trust.PrivateFolder;
 import org.toqa.app.command.StopSignal;
 import org.toqa.link.gateway.GatewayAgent;
 import org.toqa.link.trust.IdentityFile;
 import org.toqa.link.trust.LinkTls;
+import org.toqa.link.trust.PrivateFolder;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
 

@@ -22,7 +22,8 @@ public sealed interface PairingMessage {
    * @param robot whom it means; null: it does not say, as a server of an earlier release
    * @param proof that it knows the code
    */
-  record Pair(@JsonSetter(nulls = Nulls.SET) @Nullable String robot, String proof) implements PairingMessage {}
+  record Pair(@JsonSetter(nulls = Nulls.SET) @Nullable String robot, String proof)
+      implements PairingMessage {}
 
   /**
    * The robot has recorded the server's certificate.

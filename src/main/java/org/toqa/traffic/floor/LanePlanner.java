@@ -93,7 +93,8 @@ final class LanePlanner {
       for (double diameter : diameters(robots, everybody)) {
         Attempt attempt = new Attempt(robots, claims, diameter, everybody);
         if (!isStill
-            && (attempt.planned.size() > MOST_PLANNED_WHOLE || rightOfWay.isClosedTo(attempt.planned))
+            && (attempt.planned.size() > MOST_PLANNED_WHOLE
+                || rightOfWay.isClosedTo(attempt.planned))
             && attempt.planAhead(now, deadline)) {
           return Outcome.PLANNED_AHEAD;
         }

@@ -89,7 +89,8 @@ class ConfigurationTest {
 
     Configuration configuration = Configuration.of(SHIPPED_MAP, List.of(environment));
 
-    assertEquals(new Configuration.FirstManager("mia", "long:enough"), configuration.firstManager());
+    assertEquals(
+        new Configuration.FirstManager("mia", "long:enough"), configuration.firstManager());
   }
 
   @Test

@@ -115,7 +115,8 @@ public record AgentConfig(
   private static String robotName(ConfigSection top) throws ConfigException {
     String name = top.text("name");
     if (!NAME.matcher(name).matches()) {
-      throw top.invalid("name", name, "1 to 64 letters, digits, dots, - and _, and begin with a letter or digit");
+      throw top.invalid(
+          "name", name, "1 to 64 letters, digits, dots, - and _, and begin with a letter or digit");
     }
     return name;
   }

@@ -7,8 +7,8 @@ import java.nio.channels.OverlappingFileLockException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
-import org.toqa.link.trust.PrivateFolder;
 import org.jspecify.annotations.Nullable;
+import org.toqa.link.trust.PrivateFolder;
 
 /** A daemon's folder, owned by one daemon at a time. */
 public final class DataFolder implements AutoCloseable {
