@@ -29,8 +29,8 @@ import org.toqa.traffic.Spacing;
  * <p>Tried in this order, until everybody who wants to go somewhere can: with wide lane cells, on
  * which robots of every size can be planned, then with narrower ones; first without those who drive
  * paths of their own or are beside the lanes, then with them. Who is left out is driven round. Of
- * more than {@value #MOST_PLANNED_WHOLE} robots only the next steps are planned ({@link
- * NextStepsPlanner}), those included whose own paths come near.
+ * more than {@value #MOST_WHOLE} robots only the next steps are planned ({@link NextStepsPlanner}),
+ * those included whose own paths come near.
  */
 final class LanePlanner {
   /** Of the time left, what each search may take. */
@@ -40,7 +40,7 @@ final class LanePlanner {
   private static final double ON_LANE = 0.03;
 
   /** Of more robots only the next steps are planned. */
-  private static final int MOST_PLANNED_WHOLE = 8;
+  private static final int MOST_WHOLE = 8;
 
   /** So many lane cells round a robot others give up their own paths and are planned with it. */
   private static final double REACH = 6;
@@ -93,8 +93,7 @@ final class LanePlanner {
       for (double diameter : diameters(robots, everybody)) {
         Attempt attempt = new Attempt(robots, claims, diameter, everybody);
         if (!isStill
-            && (attempt.planned.size() > MOST_PLANNED_WHOLE
-                || rightOfWay.isClosedTo(attempt.planned))
+            && (attempt.planned.size() > MOST_WHOLE || rightOfWay.isClosedTo(attempt.planned))
             && attempt.planAhead(now, deadline)) {
           return Outcome.PLANNED_AHEAD;
         }
@@ -187,7 +186,7 @@ final class LanePlanner {
       this.points = lanes.points(freeSpace.blocked());
       this.wanted = rightOfWay.wanted(robots, diameter);
       robots.stream().filter(robot -> isCandidate(robot, everybody)).forEach(planned::add);
-      if (planned.size() > MOST_PLANNED_WHOLE) {
+      if (planned.size() > MOST_WHOLE) {
         addNearby();
       }
       this.occupied = findOccupied();
