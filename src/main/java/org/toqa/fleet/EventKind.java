@@ -1,5 +1,6 @@
 package org.toqa.fleet;
 
+import java.util.Arrays;
 import org.toqa.mission.MissionEvent;
 
 /** What a line of the history tells, for programs that read it. */
@@ -88,6 +89,12 @@ public enum EventKind {
   /** As it is stored, and told by the API. */
   public String text() {
     return text;
+  }
+
+  /** Whether there are events of that kind, or of that family of kinds, such as {@code task}. */
+  public static boolean isKnown(String kind) {
+    return Arrays.stream(values())
+        .anyMatch(each -> each.text.equals(kind) || each.text.startsWith(kind + "."));
   }
 
   /** What the history calls such an event of a mission. */

@@ -29,7 +29,7 @@ public interface EventArchive {
   /**
    * Which events are wanted; null: any.
    *
-   * @param kind a kind such as {@code task.carrying}, or a family of them such as {@code task}
+   * @param kind a kind such as {@code task.delivered}, or a family of them such as {@code task}
    * @param user who did it, or {@code toqa}
    * @param from the first moment
    * @param until the first moment after it

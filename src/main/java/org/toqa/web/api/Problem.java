@@ -4,6 +4,7 @@ import com.fasterxml.jackson.annotation.JsonInclude;
 import jakarta.servlet.http.HttpServletRequest;
 import jakarta.servlet.http.HttpServletResponse;
 import java.io.IOException;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Objects;
 import org.jspecify.annotations.Nullable;
@@ -64,7 +65,7 @@ public record Problem(
         "about:blank",
         title(422),
         422,
-        String.join(" ", errors.sentences().values()),
+        String.join(" ", new LinkedHashSet<>(errors.sentences().values())),
         errors.sentences().entrySet().stream()
             .map(e -> new FieldProblem(null, e.getKey(), e.getValue()))
             .toList(),

@@ -2,6 +2,7 @@ package org.toqa.web.input;
 
 import jakarta.servlet.http.HttpServletRequest;
 import org.jspecify.annotations.Nullable;
+import org.toqa.fleet.EventKind;
 import org.toqa.fleet.history.EventArchive.Filter;
 import org.toqa.web.Texts;
 import org.toqa.web.access.Caller;
@@ -38,7 +39,7 @@ public final class HistoryQueryReader {
 
   private @Nullable String kind() {
     String kind = fields.text("kind");
-    if (kind != null && !kind.matches("[a-z]+(\\.[a-z-]+)?")) {
+    if (kind != null && !EventKind.isKnown(kind)) {
       errors.add("kind", Texts.of(request).get("error.history.kind"));
     }
     return kind;

@@ -12,7 +12,7 @@ class SpidevTransportTest {
 
   @ParameterizedTest
   @CsvSource({
-    "/dev/no-such-bus, '/dev/no-such-bus cannot be opened (errno 2).'",
+    "/dev/no-such-bus, '/dev/no-such-bus cannot be opened; check that SPI is switched on and that this user may use it (errno 2).'",
     "/dev/null, '/dev/null is no SPI device (errno 25).'" // ENOTTY: the call reached the kernel
   })
   void whatIsNoBusIsNamed(Path device, String sentence) {
