@@ -31,6 +31,9 @@ import org.toqa.traffic.mapf.LacamJointPlanner;
  * what was not released. It shares nothing with the traffic but its decisions.
  */
 final class DrivenFloor {
+  /** Who moves for so long goes to and fro, as some do behind one that stays. */
+  private static final Duration LONGEST_MOVES = Duration.ofMinutes(30);
+
   static final double DIAMETER = 0.255;
 
   /** The side of a cell, metres: robots in the middles of two keep their distance. */
@@ -235,11 +238,12 @@ final class DrivenFloor {
     }
   }
 
-  /** Lets time go on until all have arrived, or nobody has moved for so long. */
+  /** Lets time go on until all have arrived, nobody has moved for so long, or half an hour. */
   void driveWhileAnyMoves(Duration patience) {
+    Instant end = now.plus(LONGEST_MOVES);
     Instant moved = now;
     List<Pose> before = List.of();
-    while (!areAllArrived() && moved.plus(patience).isAfter(now)) {
+    while (!areAllArrived() && moved.plus(patience).isAfter(now) && now.isBefore(end)) {
       step();
       List<Pose> poses = bodies.values().stream().map(b -> b.pose).toList();
       moved = poses.equals(before) ? moved : now;

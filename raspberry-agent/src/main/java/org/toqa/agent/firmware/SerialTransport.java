@@ -100,7 +100,8 @@ public final class SerialTransport implements FrameTransport {
         return fresh;
       }
       throw new IOException(
-          "%s cannot be opened; check that it is plugged in and that this user may use it (errno %d).".formatted(device, fresh.getLastErrorCode()));
+          "%s cannot be opened; check that it is plugged in and that this user may use it (errno %d)."
+              .formatted(device, fresh.getLastErrorCode()));
     } catch (SerialPortInvalidPortException e) {
       throw new IOException("There is no serial port " + device + ".", e);
     }

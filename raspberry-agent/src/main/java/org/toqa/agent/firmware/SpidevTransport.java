@@ -104,7 +104,8 @@ public final class SpidevTransport implements FrameTransport {
     set(TRANSFERS - 1, "cs_change", STAYS_SELECTED);
     file = call(OPEN, callState, arena.allocateFrom(device.toString()), O_RDWR);
     if (file < 0) {
-      IOException failure = failure("cannot be opened; check that SPI is switched on and that this user may use it");
+      IOException failure =
+          failure("cannot be opened; check that SPI is switched on and that this user may use it");
       arena.close();
       throw failure;
     }
