@@ -188,7 +188,7 @@ class SchedulesTest extends WebServerTest {
 
   @ParameterizedTest
   @CsvSource({
-    "once, first, '', Enter a time in the future",
+    "once, first, '', Enter a date and a time in the future",
     "once, first, 2001-01-01T10:00, This time has passed.",
     "every, everyMinutes, often, Enter a number, such as 2.5",
     "every, everyMinutes, '', Enter a whole number of minutes",
@@ -196,7 +196,7 @@ class SchedulesTest extends WebServerTest {
     "weekly, weekday, SOMEDAY, Choose at least one day",
     "weekly, zone, Nowhere/Land, Unknown time zone.",
     "weekly, deadline, 2098-07-01T15:00, A scheduled task has no deadline.",
-    "someday, first, '', Enter a time in the future"
+    "someday, first, '', Enter a date and a time in the future"
   })
   void aWrongFieldIsShownAgainWithASentence(
       String when, String field, String value, String sentence) {
