@@ -155,9 +155,7 @@ function drawLoad(context, [x, y], angle, [halfLength, halfWidth], colours) {
   context.fillStyle = colours['map-load'];
   context.strokeStyle = colours['map-load-line'];
   context.lineWidth = 1.5;
-  context.globalAlpha = 0.7; // what a large one lies on can be seen
   context.fill();
-  context.globalAlpha = 1;
   context.stroke();
   context.restore();
 }

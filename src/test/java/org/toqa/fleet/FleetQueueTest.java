@@ -24,7 +24,7 @@ class FleetQueueTest extends HallFleetTest {
     Answer<TaskView> tooHeavy =
         stage
             .fleet
-            .submit(order(3 * most), "Clara")
+            .submit(orderForSeveral(3 * most), "Clara")
             .toCompletableFuture()
             .get(10, TimeUnit.SECONDS);
     assertInstanceOf(Answer.Rejected.class, tooHeavy);
@@ -146,7 +146,7 @@ class FleetQueueTest extends HallFleetTest {
     double most = robot(stage.fleet.snapshots().latest(), "r1").maxLoad();
     stage.scriptedRobot("r2").breakDown("BUMPER");
     until(view -> robot(view, "r2").state() == RobotState.ERROR);
-    long task = submit(order(1.5 * most));
+    long task = submit(orderForSeveral(1.5 * most));
     until(view -> waitReason(view, task).equals("It needs 2 robots together; 1 of 2 is free."));
     return task;
   }

@@ -194,7 +194,7 @@ class FleetServiceTest extends HallFleetTest {
     stage.restart();
     until(view -> robot(view, "r1").state() == RobotState.IDLE);
 
-    Answer<TaskView> refused = answer(stage.fleet.submit(order(8), "Clara"));
+    Answer<TaskView> refused = answer(stage.fleet.submit(orderForSeveral(8), "Clara"));
 
     assertEquals(
         "The robots cannot carry 8 kg: together they carry 5 kg."
@@ -202,11 +202,11 @@ class FleetServiceTest extends HallFleetTest {
         assertInstanceOf(Answer.Rejected.class, refused).sentence().english());
     scriptedRobot("r2").speakAgain();
     until(view -> robot(view, "r2").state() == RobotState.IDLE);
-    accepted(stage.fleet.submit(order(8), "Clara"));
+    accepted(stage.fleet.submit(orderForSeveral(8), "Clara"));
     scriptedRobot("r2").loseConnection();
     stage.restart(); // what it said is remembered
     until(view -> robot(view, "r1").state() == RobotState.IDLE);
-    accepted(stage.fleet.submit(order(8), "Clara"));
+    accepted(stage.fleet.submit(orderForSeveral(8), "Clara"));
   }
 
   @Test
