@@ -26,6 +26,12 @@
         </label>
       </c:if>
       <div class="moment">
+        <div class="zoom">
+          <button type="button" id="measure" aria-pressed="false" aria-label="${measure}" title="${measure}"><t:icon name="measure"/></button>
+          <button type="button" id="zoom-in" aria-label="${zoomIn}" title="${zoomIn}">+</button>
+          <button type="button" id="zoom-out" aria-label="${zoomOut}" title="${zoomOut}">−</button>
+          <button type="button" id="zoom-fit" aria-label="${fit}" title="${fit}"><t:icon name="fit"/></button>
+        </div>
         <button type="button" id="replay-open" class="outline" disabled><t:icon name="replay"/> <fmt:message key="replay.open"/></button>
         <p id="age" class="age" data-state="connecting"><fmt:message key="map.connecting"/></p>
       </div>
@@ -38,12 +44,6 @@
       <canvas id="map" tabindex="0" role="img" aria-label="${canvasLabel}"></canvas>
       <p id="following" class="following" role="status" hidden><fmt:message key="map.following"/>${" "}<a><bdi></bdi></a>${" "}<button type="button" id="stop-following"><fmt:message key="map.stopFollowing"/></button></p>
       <p id="measuring" class="following" role="status" hidden><bdi></bdi>${" "}<button type="button"><fmt:message key="map.measure.close"/></button></p>
-      <div class="zoom">
-        <button type="button" id="measure" aria-pressed="false" aria-label="${measure}" title="${measure}"><t:icon name="measure"/></button>
-        <button type="button" id="zoom-in" aria-label="${zoomIn}" title="${zoomIn}">+</button>
-        <button type="button" id="zoom-out" aria-label="${zoomOut}" title="${zoomOut}">−</button>
-        <button type="button" id="zoom-fit" aria-label="${fit}" title="${fit}"><t:icon name="fit"/></button>
-      </div>
     </div>
     <section id="replay" class="replay" aria-label="${replayLabel}" hidden>
       <input type="range" id="replay-time" aria-label="${timeLabel}">

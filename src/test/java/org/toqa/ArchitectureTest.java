@@ -11,6 +11,8 @@ import com.tngtech.archunit.core.domain.JavaClasses;
 import com.tngtech.archunit.core.importer.ClassFileImporter;
 import com.tngtech.archunit.core.importer.ImportOption;
 import java.nio.file.Path;
+import java.time.Duration;
+import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -100,6 +102,23 @@ class ArchitectureTest {
         .accessField(System.class, "out")
         .orShould()
         .accessField(System.class, "err")
+        .check(PRODUCT);
+  }
+
+  /** Agents share their threads: who waited in one would stop the others. */
+  @Test
+  void noAgentSleeps() {
+    noClasses()
+        .that()
+        .resideInAnyPackage("org.toqa.fleet..", "org.toqa.traffic..", "org.toqa.mission..")
+        .and() // its threads are its own, and store
+        .doNotHaveSimpleName("StoreWriter")
+        .should()
+        .callMethod(Thread.class, "sleep", long.class)
+        .orShould()
+        .callMethod(Thread.class, "sleep", Duration.class)
+        .orShould()
+        .callMethod(TimeUnit.class, "sleep", long.class)
         .check(PRODUCT);
   }
 

@@ -36,9 +36,9 @@ public final class YamlParser {
       return new Yaml(new SafeConstructor(limits)).load(text);
     } catch (MarkedYAMLException e) {
       int line = e.getProblemMark() == null ? 1 : e.getProblemMark().getLine() + 1;
-      throw new YamlSyntaxException(line, String.valueOf(e.getProblem()), e);
+      throw new YamlSyntaxException(line, SyntaxAdvice.of(String.valueOf(e.getProblem())), e);
     } catch (YAMLException e) {
-      throw new YamlSyntaxException(0, String.valueOf(e.getMessage()), e);
+      throw new YamlSyntaxException(0, SyntaxAdvice.of(String.valueOf(e.getMessage())), e);
     }
   }
 }

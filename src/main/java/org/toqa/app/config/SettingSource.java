@@ -112,9 +112,9 @@ public final class SettingSource {
     } catch (YamlSyntaxException e) {
       throw new ConfigurationException(
           e.line().isPresent()
-              ? "%s, line %d: %s; write \"key: value\"."
+              ? "%s, line %d: %s."
                   .formatted(file, e.line().getAsInt(), e.problem())
-              : file + ": is no YAML (" + e.problem().lines().findFirst().orElse("") + ").");
+              : file + ": is no YAML (" + e.problem() + ").");
     }
   }
 

@@ -174,11 +174,11 @@ class ConfigurationTest {
         "port: [1, 2]            | port needs one value",
         "port:                   | port needs one value",
         "port                    | \"key: value\"",
-        "'port: 1\nport: 2'      | duplicate key port",
+        "'port: 1\nport: 2'      | port is there twice",
         "'a: &a [x]\nb: [*a, *a]'| is no YAML",
         "'port: \"1'             | line 1",
         "'\u0000'                | is no YAML",
-        "'!!java.net.URL [x]: 1' | Global tag is not allowed",
+        "'!!java.net.URL [x]: 1' | only texts, numbers",
       })
   void aFileThatCannotBeReadIsNamedWithThePlace(String text, String expected) throws IOException {
     Files.writeString(folder.resolve("toqa.yaml"), text);
