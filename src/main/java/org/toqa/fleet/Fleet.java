@@ -10,6 +10,7 @@ import org.toqa.geometry.Pose;
 import org.toqa.grid.FloorMap;
 import org.toqa.link.gateway.GatewayState;
 import org.toqa.mission.MissionEvent;
+import org.toqa.mission.OrderPart;
 import org.toqa.mission.TransportTask;
 import org.toqa.wording.Sentence;
 
@@ -38,12 +39,21 @@ public interface Fleet {
    */
   CompletionStage<Answer<TaskView>> submit(TaskOrder order, String user, UUID key);
 
+  /** All these tasks, or none; each is ordered by itself. */
+  default CompletionStage<BatchAnswer> submitAll(
+      List<TaskOrder> orders, String user, List<UUID> keys) {
+    return submitAll(orders, List.of(), user, keys);
+  }
+
   /**
    * All these tasks, or none.
    *
-   * @param keys one for each order; no task has one of them yet
+   * @param parts which part of an order each is, those of a new order from its first to its last;
+   *     empty: each is ordered by itself
+   * @param keys one for each task; no task has one of them yet
    */
-  CompletionStage<BatchAnswer> submitAll(List<TaskOrder> orders, String user, List<UUID> keys);
+  CompletionStage<BatchAnswer> submitAll(
+      List<TaskOrder> orders, List<OrderPart> parts, String user, List<UUID> keys);
 
   /**
    * Whether tasks with this key are being stored, or withdrawn again after their submission failed:

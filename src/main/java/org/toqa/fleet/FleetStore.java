@@ -49,11 +49,15 @@ public interface FleetStore {
   /** Ended tasks whose loads lie on the floor, in the order in which they came. */
   List<OpenTask> tasksWithLeftLoads();
 
+  /** Of orders from stop to stop that have tasks which have not ended, those that have. */
+  List<OpenTask> endedLegs();
+
   /** The last drive that was stored for the robot. */
   Optional<StoredDrive> drive(String robot);
 
   /**
-   * @return the tasks with their ids, in the same order
+   * @param submissions those that are parts of a new order follow each other, its first part first
+   * @return the tasks with their ids and those of their orders, in the same order
    */
   List<TransportTask> addTasks(List<Submission> submissions);
 
@@ -148,7 +152,9 @@ public interface FleetStore {
    */
   record MissionChange(Mission mission, Instant at, List<EventRecord> events) {}
 
-  /** One that has not ended, or whose load still lies on the floor. */
+  /**
+   * One that has not ended, whose load still lies on the floor, or for whose order more is to do.
+   */
   record OpenTask(Mission mission, Instant changedAt) {}
 
   /**

@@ -241,6 +241,11 @@ public record Mission(
         task.withPriority(priority), state, assignedRobots, held, ending, setDownPlace, trouble);
   }
 
+  Mission withPart(OrderPart part) {
+    return new Mission(
+        task.withPart(part), state, assignedRobots, held, ending, setDownPlace, trouble);
+  }
+
   Mission withOrder(TransportTask order) {
     return new Mission(
         task.withOrder(order), state, assignedRobots, held, ending, setDownPlace, trouble);

@@ -17,7 +17,7 @@ final class OperatorCommandRules {
       case MissionEvent.Hold ignored -> objectionToChange(mission);
       case MissionEvent.Resume ignored -> objectionToChange(mission);
       case MissionEvent.Prioritise ignored -> objectionToChange(mission);
-      case MissionEvent.Edit ignored -> objectionToEdit(mission);
+      case MissionEvent.Edit edit -> objectionToEdit(mission, edit);
       case MissionEvent.Answer answer -> objectionToAnswer(mission, answer);
       case MissionEvent.HandOver ignored -> objectionToChange(mission);
       case MissionEvent.RemoveLoad ignored ->
@@ -55,10 +55,16 @@ final class OperatorCommandRules {
   }
 
   /** What was fetched once is no longer as it was ordered. */
-  private static Optional<Objection> objectionToEdit(Mission mission) {
-    return mission.state() == TaskState.QUEUED && mission.setDownPlace() == null
-        ? Optional.empty()
-        : Optional.of(Objection.of(Phrase.TASK_WAITS_NO_MORE.with(mission.id())));
+  private static Optional<Objection> objectionToEdit(Mission mission, MissionEvent.Edit event) {
+    if (mission.state() != TaskState.QUEUED || mission.setDownPlace() != null) {
+      return Optional.of(Objection.of(Phrase.TASK_WAITS_NO_MORE.with(mission.id())));
+    }
+    OrderPart part = mission.task().part();
+    return part != null
+            && part.kind() == OrderPart.Kind.STOPS
+            && !event.order().hasSameTransport(mission.task())
+        ? Optional.of(Objection.of(Phrase.LEG_STAYS_AS_ORDERED.with(mission.id(), part.order())))
+        : Optional.empty();
   }
 
   private static Optional<Objection> objectionToAnswer(
@@ -102,9 +108,16 @@ final class OperatorCommandRules {
         : mission.withHeld(true).step(List.of(), Phrase.TASK_PUT_ON_HOLD.with(event.user()));
   }
 
+  /** Of a leg that is not on hold: it begins without the one before it. */
   static Mission.Step resume(Mission mission, MissionEvent.Resume event) {
-    return mission.held()
-        ? mission.withHeld(false).step(List.of(), Phrase.TASK_LET_GO_ON.with(event.user()))
+    if (mission.held()) {
+      return mission.withHeld(false).step(List.of(), Phrase.TASK_LET_GO_ON.with(event.user()));
+    }
+    OrderPart part = mission.task().part();
+    return part != null && part.awaitsPrevious()
+        ? mission
+            .withPart(part.withAwaitsPrevious(false))
+            .step(List.of(), Phrase.LEG_LET_BEGIN.with(event.user(), part.position() - 1))
         : mission.unchangedStep();
   }
 

@@ -1,6 +1,7 @@
 package org.toqa.mission;
 
 import java.time.Instant;
+import java.util.Objects;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -13,6 +14,7 @@ import org.jspecify.annotations.Nullable;
  * @param user who asked, by his name then; the one it was handed over to, since
  * @param owner the id of his account, for names come back and ids do not; null: he is no user any
  *     more, or the task is not stored yet
+ * @param part which part of an order it is; null: it was ordered by itself
  */
 public record TransportTask(
     long id,
@@ -26,7 +28,8 @@ public record TransportTask(
     @Nullable LoadSize size,
     String user,
     @Nullable Long owner,
-    Instant createdAt) {
+    Instant createdAt,
+    @Nullable OrderPart part) {
 
   /**
    * Of the load's outline from above.
@@ -40,7 +43,7 @@ public record TransportTask(
     public static final LoadSize DEFAULT = new LoadSize(0.3, 0.3);
   }
 
-  /** One whose owner is not known yet. */
+  /** One whose owner is not known yet, and that is no part of an order. */
   public TransportTask(
       long id,
       String name,
@@ -53,19 +56,37 @@ public record TransportTask(
       @Nullable LoadSize size,
       String user,
       Instant createdAt) {
-    this(id, name, load, start, goal, floor, priority, deadline, size, user, null, createdAt);
+    this(id, name, load, start, goal, floor, priority, deadline, size, user, null, createdAt, null);
   }
 
   /** The same with the id that the store gave it. */
   public TransportTask withId(long stored) {
     return new TransportTask(
-        stored, name, load, start, goal, floor, priority, deadline, size, user, owner, createdAt);
+        stored, name, load, start, goal, floor, priority, deadline, size, user, owner, createdAt,
+        part);
   }
 
   /** The same, of that user. */
   public TransportTask withOwner(String newUser, @Nullable Long newOwner) {
     return new TransportTask(
-        id, name, load, start, goal, floor, priority, deadline, size, newUser, newOwner, createdAt);
+        id, name, load, start, goal, floor, priority, deadline, size, newUser, newOwner, createdAt,
+        part);
+  }
+
+  /** The same as that part of an order. */
+  public TransportTask withPart(@Nullable OrderPart changed) {
+    return new TransportTask(
+        id, name, load, start, goal, floor, priority, deadline, size, user, owner, createdAt,
+        changed);
+  }
+
+  /** Whether both carry the same load from the same place to the same one. */
+  boolean hasSameTransport(TransportTask other) {
+    return load == other.load
+        && Objects.equals(size, other.size)
+        && floor.equals(other.floor)
+        && start.equals(other.start)
+        && goal.equals(other.goal);
   }
 
   /** Whether the same is ordered of both, whoever did it and when. */
@@ -87,11 +108,12 @@ public record TransportTask(
         order.size,
         user,
         owner,
-        createdAt);
+        createdAt,
+        part);
   }
 
   TransportTask withPriority(int changed) {
     return new TransportTask(
-        id, name, load, start, goal, floor, changed, deadline, size, user, owner, createdAt);
+        id, name, load, start, goal, floor, changed, deadline, size, user, owner, createdAt, part);
   }
 }

@@ -60,6 +60,7 @@ final class DatabaseTypes {
     register(jdbi, StoredDrive.class);
     register(jdbi, RobotTable.StoredRobotRow.class);
     register(jdbi, TaskRow.class);
+    register(jdbi, JdbiOrderArchive.OrderRow.class);
     register(jdbi, TaskTable.AssignedRobotRow.class);
     register(jdbi, ScheduleRow.class);
     register(jdbi, LeftBehind.Item.class);

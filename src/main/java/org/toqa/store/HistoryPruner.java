@@ -25,9 +25,14 @@ public final class HistoryPruner {
   private static final String OLD_TASKS =
       """
       select id from tasks where changed_at < :before and state in ('DONE', 'FAILED', 'CANCELLED')
+        and not exists (select 1 from tasks o where o.order_id = tasks.order_id
+          and o.state not in ('DONE', 'FAILED', 'CANCELLED'))
       order by changed_at limit
       """
           + BATCH_SIZE;
+
+  private static final String EMPTY_ORDERS =
+      "delete from orders where not exists (select 1 from tasks where tasks.order_id = orders.id)";
 
   private final SqlExecutor sql;
 
@@ -55,7 +60,7 @@ public final class HistoryPruner {
 
   /**
    * How many tasks were removed, with their events, that ended before this; other events and what
-   * robots did go too, where they are older.
+   * robots did go too, where they are older. Those of an order go when all of it has ended.
    *
    * @throws StoreException when the database does not answer
    */
@@ -98,6 +103,7 @@ public final class HistoryPruner {
                 .bindList("ids", ids)
                 .execute();
             h.createUpdate("delete from tasks where id in (<ids>)").bindList("ids", ids).execute();
+            h.execute(EMPTY_ORDERS);
           }
           return ids.size();
         });

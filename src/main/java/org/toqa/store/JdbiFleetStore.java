@@ -181,6 +181,16 @@ public final class JdbiFleetStore implements FleetStore, TaskArchive {
     return tasks("state in ('CANCELLED', 'FAILED') and set_down_x is not null");
   }
 
+  @Override
+  public List<OpenTask> endedLegs() {
+    return tasks(
+        """
+        state in ('DONE', 'FAILED', 'CANCELLED') and order_id in
+          (select o.order_id from tasks o where o.awaits_previous
+            and o.state not in ('DONE', 'FAILED', 'CANCELLED'))
+        """);
+  }
+
   private List<OpenTask> tasks(String condition) {
     return sql.withHandle(
         h ->
@@ -203,7 +213,7 @@ public final class JdbiFleetStore implements FleetStore, TaskArchive {
         h -> {
           Map<String, Optional<Long>> owners = new HashMap<>();
           List<TransportTask> stored =
-              submissions.stream()
+              OrderTable.addNew(h, submissions).stream()
                   .map(
                       s ->
                           TaskTable.add(

@@ -11,6 +11,7 @@ import org.toqa.geometry.Vec2;
 import org.toqa.mission.AssignedRobot;
 import org.toqa.mission.LoadChoice;
 import org.toqa.mission.Mission;
+import org.toqa.mission.OrderPart;
 import org.toqa.mission.TaskPlace;
 import org.toqa.mission.TaskState;
 import org.toqa.mission.TransportTask;
@@ -38,13 +39,18 @@ record TaskRow(
     @Nullable LoadChoice ending,
     @Nullable Double setDownX,
     @Nullable Double setDownY,
-    @Nested("trouble") @Nullable TroubleColumns trouble) {
+    @Nested("trouble") @Nullable TroubleColumns trouble,
+    @Nested("order") @Nullable OrderColumns order) {
 
   static final String COLUMNS =
       """
       id, name, user_name, user_id, floor, load_kg, load_length, load_width, start_x, start_y, start_station,
       goal_x, goal_y, goal_station, priority, deadline, state, created_at, changed_at, held, ending,
-      set_down_x, set_down_y, trouble_robot, trouble_why, trouble_said, trouble_x, trouble_y, trouble_waits
+      set_down_x, set_down_y, trouble_robot, trouble_why, trouble_said, trouble_x, trouble_y, trouble_waits,
+      order_id, order_part, awaits_previous as order_awaits,
+      (select o.name from orders o where o.id = tasks.order_id) as order_name,
+      (select o.kind from orders o where o.id = tasks.order_id) as order_kind,
+      (select o.parts from orders o where o.id = tasks.order_id) as order_parts
       """;
 
   /** What keeps a robot from going on; all null where nothing does. */
@@ -57,6 +63,19 @@ record TaskRow(
       boolean waits) {
     Trouble toTrouble() {
       return new Trouble(robot, SentenceJson.read(said, why), place(x, y), waits);
+    }
+  }
+
+  /** Which part of an order it is; all null where it is none. */
+  record OrderColumns(
+      @PropagateNull Long id,
+      int part,
+      boolean awaits,
+      String name,
+      OrderPart.Kind kind,
+      int parts) {
+    OrderPart toOrderPart() {
+      return new OrderPart(id, name, kind, part, parts, awaits);
     }
   }
 
@@ -92,7 +111,8 @@ record TaskRow(
         loadSize(loadLength, loadWidth),
         userName,
         userId,
-        createdAt);
+        createdAt,
+        order == null ? null : order.toOrderPart());
   }
 
   /** Null where nobody said it. */

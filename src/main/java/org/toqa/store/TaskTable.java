@@ -5,6 +5,7 @@ import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.UUID;
 import java.util.function.BiFunction;
 import org.jdbi.v3.core.Handle;
@@ -13,6 +14,7 @@ import org.jspecify.annotations.Nullable;
 import org.toqa.fleet.FleetStore.Submission;
 import org.toqa.mission.AssignedRobot;
 import org.toqa.mission.Mission;
+import org.toqa.mission.OrderPart;
 import org.toqa.mission.Phase;
 import org.toqa.mission.TaskPlace;
 import org.toqa.mission.TransportTask;
@@ -31,22 +33,26 @@ final class TaskTable {
    */
   static TransportTask add(Handle h, Submission submission, @Nullable Long owner) {
     TransportTask task = submission.task();
+    OrderPart part = task.part();
     long id =
         bindOrder(
                 h.createUpdate(
                     """
                       insert into tasks (name, user_id, user_name, floor, load_kg, load_length, load_width,
                         start_x, start_y, start_station, goal_x, goal_y, goal_station, priority, deadline,
-                        state, created_at, changed_at, submission)
+                        state, created_at, changed_at, submission, order_id, order_part, awaits_previous)
                       values (:name, :owner, :user, :floor, :load,
                         :length, :width, :startX, :startY, :startStation, :goalX, :goalY, :goalStation,
-                        :priority, :deadline, 'QUEUED', :at, :at, :submission)
+                        :priority, :deadline, 'QUEUED', :at, :at, :submission, :order, :part, :awaits)
                       """),
                 task)
             .bind("owner", owner)
             .bind("user", task.user())
             .bind("at", task.createdAt())
             .bind("submission", submission.idempotencyKey())
+            .bind("order", part == null ? null : part.order())
+            .bind("part", part == null ? null : part.position())
+            .bind("awaits", part != null && part.awaitsPrevious())
             .executeAndReturnGeneratedKeys("id")
             .mapTo(Long.class)
             .one();
@@ -78,27 +84,34 @@ final class TaskTable {
    * @return false: it is no such task
    */
   static boolean delete(Handle h, long task) {
-    return h.createUpdate(
-                """
-                delete from tasks where id = :id
-                  and (state = 'DONE' or state in ('FAILED', 'CANCELLED') and set_down_x is null)
-                """)
-            .bind("id", task)
-            .execute()
-        == 1;
+    Optional<Long> order = OrderTable.orderOf(h, "id", task);
+    boolean isDeleted =
+        h.createUpdate(
+                    """
+                    delete from tasks where id = :id
+                      and (state = 'DONE' or state in ('FAILED', 'CANCELLED') and set_down_x is null)
+                    """)
+                .bind("id", task)
+                .execute()
+            == 1;
+    order.ifPresent(id -> OrderTable.deleteIfEmpty(h, id));
+    return isDeleted;
   }
 
   static void withdraw(Handle h, UUID key) {
+    Optional<Long> order = OrderTable.orderOf(h, "submission", key);
     String of = " (select id from tasks where submission = :submission)";
     h.createUpdate("delete from events where task_id in" + of).bind("submission", key).execute();
     h.createUpdate("delete from tasks where submission = :submission")
         .bind("submission", key)
         .execute();
+    order.ifPresent(id -> OrderTable.deleteIfEmpty(h, id));
   }
 
   static void saveState(Handle h, Mission mission, Instant at) {
     TaskPlace setDown = mission.setDownPlace();
     Trouble trouble = mission.trouble();
+    OrderPart part = mission.task().part();
     TaskPlace place = trouble == null ? null : trouble.place();
     bindOrder(
             h.createUpdate(
@@ -111,7 +124,8 @@ final class TaskTable {
               assigned_at = coalesce(assigned_at, :assigned), delivered_at = coalesce(delivered_at, :delivered),
               set_down_x = :setDownX, set_down_y = :setDownY, trouble_robot = :troubleRobot,
               trouble_why = :troubleWhy, trouble_said = :troubleSaid, trouble_x = :troubleX,
-              trouble_y = :troubleY, trouble_waits = :troubleWaits
+              trouble_y = :troubleY, trouble_waits = :troubleWaits,
+              awaits_previous = :awaits
             where id = :id
             """),
             mission.task())
@@ -131,6 +145,7 @@ final class TaskTable {
         .bind("troubleX", place == null ? null : place.position().x())
         .bind("troubleY", place == null ? null : place.position().y())
         .bind("troubleWaits", trouble != null && trouble.isAwaited())
+        .bind("awaits", part != null && part.awaitsPrevious())
         .bind("id", mission.id())
         .execute();
   }

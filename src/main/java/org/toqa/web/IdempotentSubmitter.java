@@ -6,15 +6,21 @@ import java.util.Optional;
 import java.util.UUID;
 import java.util.concurrent.locks.Lock;
 import java.util.concurrent.locks.ReentrantLock;
+import java.util.function.Predicate;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import org.toqa.accounts.Account;
 import org.toqa.fleet.BatchAnswer;
 import org.toqa.fleet.Fleet;
 import org.toqa.fleet.KeyedAnswer;
+import org.toqa.fleet.OrderArchive;
+import org.toqa.fleet.PartsOrder;
+import org.toqa.fleet.PartsToRetry;
 import org.toqa.fleet.TaskArchive;
 import org.toqa.fleet.TaskOrder;
 import org.toqa.fleet.TaskView;
+import org.toqa.mission.OrderPart;
+import org.toqa.mission.TransportTask;
 import org.toqa.persistence.StoreException;
 
 /**
@@ -27,12 +33,14 @@ public final class IdempotentSubmitter {
 
   private final Fleet fleet;
   private final TaskArchive archive;
+  private final OrderArchive orders;
   private final Lock[] locks =
       Stream.generate(ReentrantLock::new).limit(STRIPES).toArray(Lock[]::new);
 
-  public IdempotentSubmitter(Fleet fleet, TaskArchive archive) {
+  public IdempotentSubmitter(Fleet fleet, TaskArchive archive, OrderArchive orders) {
     this.fleet = fleet;
     this.archive = archive;
+    this.orders = orders;
   }
 
   /** The key of a user's order, which nobody else's is. */
@@ -41,7 +49,7 @@ public final class IdempotentSubmitter {
   }
 
   public KeyedAnswer<TaskView> submit(TaskOrder order, Account user, UUID key) {
-    Lock lock = locks[Math.floorMod(key.hashCode(), STRIPES)];
+    Lock lock = lockOf(key);
     lock.lock();
     try {
       requireDecided(List.of(key));
@@ -73,28 +81,85 @@ public final class IdempotentSubmitter {
    * @param orders at least one; the key after the last one's shows whether there were more before
    */
   public BatchOutcome submitAll(List<TaskOrder> orders, Account user, UUID key) {
+    return submitAll(
+        orders,
+        List.of(),
+        user,
+        key,
+        before ->
+            before.size() == orders.size()
+                && IntStream.range(0, orders.size())
+                    .allMatch(
+                        i ->
+                            before.get(i).part() == null
+                                && orders.get(i).isOrderOf(before.get(i))));
+  }
+
+  /** All parts of an order, or none. */
+  public BatchOutcome submitOrder(PartsOrder order, Account user, UUID key) {
+    return submitAll(order.tasks(), order.parts(), user, key, order::isOrderOf);
+  }
+
+  /**
+   * @param isSame whether the tasks that came with the key before are those that are ordered now
+   */
+  private BatchOutcome submitAll(
+      List<TaskOrder> orders,
+      List<OrderPart> parts,
+      Account user,
+      UUID key,
+      Predicate<List<TransportTask>> isSame) {
     List<UUID> keys =
         IntStream.rangeClosed(0, orders.size())
             .mapToObj(place -> idempotencyKey(key, place))
             .toList();
-    Lock lock = locks[Math.floorMod(key.hashCode(), STRIPES)];
+    Lock lock = lockOf(key);
     lock.lock();
     try {
       requireDecided(keys);
       if (archive.taskByKey(keys.getFirst()).isEmpty()) {
         return new BatchOutcome.Answered(
             FleetAnswers.await(
-                fleet.submitAll(orders, user.name(), keys.subList(0, orders.size()))));
+                fleet.submitAll(orders, parts, user.name(), keys.subList(0, orders.size()))));
       }
       List<TaskView> before = keys.stream().flatMap(k -> archive.taskByKey(k).stream()).toList();
-      return before.size() == orders.size()
-              && IntStream.range(0, orders.size())
-                  .allMatch(i -> orders.get(i).isOrderOf(before.get(i).task()))
+      return isSame.test(before.stream().map(TaskView::task).toList())
           ? new BatchOutcome.Repeated(before)
           : new BatchOutcome.KeyReused();
     } finally {
       lock.unlock();
     }
+  }
+
+  /**
+   * Orders again what of an order has ended without delivery. Whoever wants it at the same time
+   * finds it done.
+   *
+   * @return empty: there is no such order, or nothing of it is to be ordered again
+   */
+  public Optional<BatchAnswer> retry(long order, Account user) {
+    Lock lock = lockOf(new UUID(0, order));
+    lock.lock();
+    try {
+      return orders
+          .order(order)
+          .map(PartsToRetry::of)
+          .filter(again -> !again.orders().isEmpty())
+          .map(
+              again ->
+                  FleetAnswers.await(
+                      fleet.submitAll(
+                          again.orders(),
+                          again.parts(),
+                          user.name(),
+                          again.orders().stream().map(_ -> UUID.randomUUID()).toList())));
+    } finally {
+      lock.unlock();
+    }
+  }
+
+  private Lock lockOf(UUID key) {
+    return locks[Math.floorMod(key.hashCode(), STRIPES)];
   }
 
   /**

@@ -9,6 +9,7 @@ import org.toqa.accounts.FirstStartCode;
 import org.toqa.accounts.PasswordHasher;
 import org.toqa.accounts.SessionStore;
 import org.toqa.fleet.Fleet;
+import org.toqa.fleet.OrderArchive;
 import org.toqa.fleet.ScheduleStore;
 import org.toqa.fleet.TaskArchive;
 import org.toqa.fleet.TaskTraces;
@@ -20,6 +21,7 @@ import org.toqa.fleet.history.TrackStore;
 public record Services(
     Fleet fleet,
     TaskArchive archive,
+    OrderArchive orders,
     TaskTraces traces,
     EventArchive history,
     TrackStore tracks,

@@ -29,6 +29,7 @@ import org.toqa.fleet.TaskOrder.Where;
 import org.toqa.fleet.TaskView;
 import org.toqa.grid.FloorReader;
 import org.toqa.persistence.StoreException;
+import org.toqa.store.JdbiOrderArchive;
 
 /** A task that was accepted is never withdrawn, whatever became of its first submission. */
 @Timeout(120)
@@ -63,7 +64,9 @@ class AcceptedTaskTest {
                       }
                       return result;
                     }));
-    submitter = new IdempotentSubmitter(stage.fleet, stage.store);
+    submitter =
+        new IdempotentSubmitter(
+            stage.fleet, stage.store, new JdbiOrderArchive(stage.database.jdbi()));
   }
 
   @AfterEach

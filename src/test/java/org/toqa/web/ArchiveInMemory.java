@@ -1,6 +1,7 @@
 package org.toqa.web;
 
 import java.util.ArrayList;
+import java.util.Collection;
 import java.util.Comparator;
 import java.util.HashMap;
 import java.util.HashSet;
@@ -9,13 +10,18 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.UUID;
+import java.util.stream.Stream;
 import org.toqa.fleet.EventRecord;
+import org.toqa.fleet.OrderArchive;
+import org.toqa.fleet.OrderView;
 import org.toqa.fleet.TaskArchive;
 import org.toqa.fleet.TaskTraces;
 import org.toqa.fleet.TaskView;
+import org.toqa.mission.OrderPart;
 
 /** Tasks that were accepted, in memory: it finds them by state and text, and knows who follows. */
-public abstract class ArchiveInMemory extends SnapshotsInMemory implements TaskArchive, TaskTraces {
+public abstract class ArchiveInMemory extends SnapshotsInMemory
+    implements TaskArchive, OrderArchive, TaskTraces {
   final Map<UUID, Long> keys = new HashMap<>();
   final List<EventRecord> events = new ArrayList<>();
   private final Set<List<Long>> traces = new HashSet<>();
@@ -97,6 +103,70 @@ public abstract class ArchiveInMemory extends SnapshotsInMemory implements TaskA
     } finally {
       lock.unlock();
     }
+  }
+
+  @Override
+  public Optional<OrderView> order(long id) {
+    return orders(List.of(id)).stream().findFirst();
+  }
+
+  @Override
+  public List<OrderView> orders(int offset, int limit) {
+    return orders(orderIds()).stream().skip(offset).limit(limit).toList();
+  }
+
+  @Override
+  public long orderCount() {
+    return orderIds().size();
+  }
+
+  @Override
+  public List<OrderView> orders(Collection<Long> ids) {
+    lock.lock();
+    try {
+      return ids.stream()
+          .distinct()
+          .sorted(Comparator.reverseOrder())
+          .flatMap(id -> orderOf(tasks.stream().filter(task -> isPartOf(task, id)).toList()))
+          .toList();
+    } finally {
+      lock.unlock();
+    }
+  }
+
+  private List<Long> orderIds() {
+    lock.lock();
+    try {
+      return tasks.stream()
+          .flatMap(task -> Stream.ofNullable(task.task().part()))
+          .map(OrderPart::order)
+          .distinct()
+          .toList();
+    } finally {
+      lock.unlock();
+    }
+  }
+
+  private static boolean isPartOf(TaskView task, long order) {
+    OrderPart part = task.task().part();
+    return part != null && part.order() == order;
+  }
+
+  private static Stream<OrderView> orderOf(List<TaskView> tasks) {
+    return tasks.stream()
+        .limit(1)
+        .flatMap(
+            first ->
+                Stream.ofNullable(first.task().part())
+                    .map(
+                        part ->
+                            new OrderView(
+                                part.order(),
+                                part.name(),
+                                part.kind(),
+                                part.count(),
+                                first.task().createdAt(),
+                                tasks)));
   }
 
   @Override

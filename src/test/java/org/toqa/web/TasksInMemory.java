@@ -27,6 +27,7 @@ import org.toqa.mission.AssignedRobot;
 import org.toqa.mission.Mission;
 import org.toqa.mission.MissionEvent;
 import org.toqa.mission.Objection;
+import org.toqa.mission.OrderPart;
 import org.toqa.mission.Phase;
 import org.toqa.mission.TaskPlace;
 import org.toqa.mission.TaskState;
@@ -160,7 +161,7 @@ public abstract class TasksInMemory extends ArchiveInMemory implements Fleet {
 
   @Override
   public CompletionStage<BatchAnswer> submitAll(
-      List<TaskOrder> orders, String user, List<UUID> keys) {
+      List<TaskOrder> orders, List<OrderPart> parts, String user, List<UUID> keys) {
     if (refused != null) {
       return CompletableFuture.failedFuture(new CheckRefusedException(refused));
     }
@@ -174,14 +175,37 @@ public abstract class TasksInMemory extends ArchiveInMemory implements Fleet {
         return CompletableFuture.completedFuture(new BatchAnswer.Rejected(refusals));
       }
       List<TaskView> added = new ArrayList<>();
+      long newOrder = nextId;
       for (int i = 0; i < orders.size(); i++) {
         submit(orders.get(i), user, keys.get(i));
+        if (!parts.isEmpty()) {
+          OrderPart part = parts.get(i);
+          setPart(part.order() == 0 ? part.withOrder(newOrder) : part);
+        }
         added.add(tasks.getLast());
       }
+      publish(latest.robots());
       return CompletableFuture.completedFuture(new BatchAnswer.Accepted(added));
     } finally {
       lock.unlock();
     }
+  }
+
+  /** The newest task is that part of an order. */
+  private void setPart(OrderPart part) {
+    TaskView view = tasks.removeLast();
+    tasks.add(
+        new TaskView(
+            view.task().withPart(part),
+            view.state(),
+            view.held(),
+            view.robots(),
+            view.loadAt(),
+            view.waitingFor(),
+            view.blocked(),
+            view.needs(),
+            view.late(),
+            view.changedAt()));
   }
 
   @Override

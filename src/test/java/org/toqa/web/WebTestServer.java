@@ -210,6 +210,7 @@ public final class WebTestServer implements AutoCloseable {
             fleet,
             fleet,
             fleet,
+            fleet,
             new JdbiEventArchive(jdbi),
             tracks,
             schedules,
@@ -223,7 +224,7 @@ public final class WebTestServer implements AutoCloseable {
             ConcurrencyLimits.of(1000, STREAMS_PER_USER, STREAMS_PER_ADDRESS, 8192),
             InstantSource.system(),
             Authenticator.of(accounts, PASSWORDS, InstantSource.system()),
-            new IdempotentSubmitter(fleet, fleet),
+            new IdempotentSubmitter(fleet, fleet, fleet),
             new AllowedHosts(Set.of("toqa.example.org")),
             firstStartCode);
     store = new JdbiFleetStore(jdbi);

@@ -44,6 +44,11 @@ final class ForgetfulStore implements FleetStore {
   }
 
   @Override
+  public List<OpenTask> endedLegs() {
+    return List.of();
+  }
+
+  @Override
   public Optional<StoredDrive> drive(String robot) {
     return Optional.empty();
   }

@@ -41,6 +41,7 @@ import org.toqa.store.HistoryPruner;
 import org.toqa.store.JdbiAccountStore;
 import org.toqa.store.JdbiEventArchive;
 import org.toqa.store.JdbiFleetStore;
+import org.toqa.store.JdbiOrderArchive;
 import org.toqa.store.JdbiPasswordResetStore;
 import org.toqa.store.JdbiScheduleStore;
 import org.toqa.store.JdbiServerRuns;
@@ -213,6 +214,7 @@ public final class FleetServer implements AutoCloseable {
         new Services(
             fleet,
             new JdbiFleetStore(database.readers()),
+            new JdbiOrderArchive(database.readers()),
             new JdbiTaskTraces(database.jdbi(), wallClock),
             new JdbiEventArchive(database.readers()),
             new JdbiTrackStore(database.readers()),
@@ -228,7 +230,7 @@ public final class FleetServer implements AutoCloseable {
             wallClock,
             Authenticator.of(
                 accounts, passwords, new SteadyClock(wallClock.instant(), System::nanoTime)),
-            new IdempotentSubmitter(fleet, store),
+            new IdempotentSubmitter(fleet, store, new JdbiOrderArchive(database.jdbi())),
             new AllowedHosts(configuration.hosts()),
             firstStartCode(accounts));
     TrueBodies bodies =

@@ -49,6 +49,7 @@ import org.toqa.grid.FloorMap;
 import org.toqa.link.RobotLinkFactory;
 import org.toqa.link.gateway.GatewayState;
 import org.toqa.mission.MissionEvent;
+import org.toqa.mission.OrderPart;
 import org.toqa.mission.TransportTask;
 import org.toqa.wording.Phrase;
 import org.toqa.wording.Sentence;
@@ -196,12 +197,12 @@ public final class AgentFleet implements Fleet, AutoCloseable {
 
   @Override
   public CompletionStage<BatchAnswer> submitAll(
-      List<TaskOrder> orders, String user, List<UUID> keys) {
+      List<TaskOrder> orders, List<OrderPart> parts, String user, List<UUID> keys) {
     long deadline = TaskSubmitter.deadline(runtime.nanoTime());
     return manager.askChecked(
         user,
         (check, replyTo) ->
-            new ManagerMessage.SubmitTasks(orders, user, keys, deadline, check, replyTo));
+            new ManagerMessage.SubmitTasks(orders, parts, user, keys, deadline, check, replyTo));
   }
 
   @Override

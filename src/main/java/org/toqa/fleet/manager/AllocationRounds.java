@@ -155,11 +155,12 @@ final class AllocationRounds {
     List<AllocationTask> jobs =
         fleet.queue.firstJobs(
             floor.name(),
-            job ->
-                job.load() <= strongest
-                    || (isAnyFree
-                        && job.load() > strongestOfAll
-                        && !tasksWithoutRoom.containsKey(job.id())),
+            queued ->
+                fleet.legs.reasonToWait(queued.task()).isEmpty()
+                    && (queued.task().load() <= strongest
+                        || (isAnyFree
+                            && queued.task().load() > strongestOfAll
+                            && !tasksWithoutRoom.containsKey(queued.task().id()))),
             FleetState.TASKS_CONSIDERED);
     if (jobs.isEmpty()) {
       reasons.remove(floor.name());
@@ -365,12 +366,17 @@ final class AllocationRounds {
   /** Whether it waits for what will not come by itself: room for its team, or other robots. */
   boolean isBlocked(TaskQueue.Queued queued, @Nullable WaitExplainer plain) {
     return !queued.mission().held()
-        && (tasksWithoutRoom.containsKey(queued.task().id())
+        && (fleet.legs.isStopped(queued.task())
+            || tasksWithoutRoom.containsKey(queued.task().id())
             || (plain != null && plain.isImpossible(queued.job())));
   }
 
   /** What the last round said; of a task that it did not look at, what is plain without one. */
   Sentence waitReason(TaskQueue.Queued queued, @Nullable WaitExplainer plain) {
+    Optional<Sentence> legBefore = fleet.legs.reasonToWait(queued.task());
+    if (legBefore.isPresent()) {
+      return legBefore.get();
+    }
     NoRoom noRoom = tasksWithoutRoom.get(queued.task().id());
     if (noRoom != null) {
       return noRoom.why();

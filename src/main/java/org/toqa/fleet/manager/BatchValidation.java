@@ -3,7 +3,9 @@ package org.toqa.fleet.manager;
 import java.time.Instant;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.ConcurrentHashMap;
 import org.toqa.fleet.Answer;
 import org.toqa.fleet.BatchAnswer.Rejection;
 import org.toqa.fleet.TaskOrder;
@@ -11,7 +13,8 @@ import org.toqa.mission.TransportTask;
 import org.toqa.wording.Sentence;
 
 /**
- * Checks many orders at once. It waits for their paths, so that is done on a thread of its own.
+ * Checks many orders at once, each kind of them once. It waits for their paths, so that is done on
+ * a thread of its own.
  *
  * @param capacity of all robots that there are
  * @param check of all of them together
@@ -38,19 +41,25 @@ record BatchValidation(
   CompletableFuture<Result> run() {
     List<TransportTask> tasks = new ArrayList<>();
     List<Rejection> rejections = new ArrayList<>();
+    Map<TaskOrder, CompletableFuture<List<Answer<TransportTask>>>> known =
+        new ConcurrentHashMap<>();
     CompletableFuture<Void> checked = CompletableFuture.completedFuture(null);
     for (int place = 0; place < orders.size(); place++) {
       int index = place;
       checked =
           checked.thenCompose(
               _ ->
-                  validator
-                      .checkAll(orders.get(index), user, now, capacity, check)
+                  known
+                      .computeIfAbsent(orders.get(index), this::check)
                       .thenAccept(
                           answers ->
                               answers.forEach(answer -> add(answer, index, tasks, rejections))));
     }
     return checked.thenApply(_ -> new Result(tasks, rejections));
+  }
+
+  private CompletableFuture<List<Answer<TransportTask>>> check(TaskOrder order) {
+    return validator.checkAll(order, user, now, capacity, check).toCompletableFuture();
   }
 
   private static void add(

@@ -54,6 +54,7 @@ final class FleetState {
   final Map<String, FloorMap> floorMaps = new HashMap<>();
   final Map<String, FloorDistances> distances = new HashMap<>();
   final TaskQueue queue = new TaskQueue();
+  final OrderLegs legs = new OrderLegs();
   final Map<String, RobotRecord> robots = new TreeMap<>();
   final Map<String, FloorEvent.FloorReport> reports = new HashMap<>();
 
@@ -88,11 +89,37 @@ final class FleetState {
   }
 
   void addEnded(TaskView task) {
+    recordLeg(task);
     ended.removeIf(before -> before.id() == task.id());
     ended.addFirst(task);
     if (ended.size() > ENDED_SHOWN) {
       ended.removeLast();
     }
+  }
+
+  /** It is time to look at the legs of its order when one is delivered. */
+  void recordLeg(TaskView task) {
+    if (legs.record(task)) {
+      dueFloors.add(task.task().floor());
+    }
+  }
+
+  /** Puts a task that is stored so into the queue. */
+  void enqueue(Mission mission, Instant since) {
+    queue.add(mission, since, true);
+    legs.record(mission);
+    dueFloors.add(mission.task().floor());
+  }
+
+  /** Whether a task of that order has not ended. */
+  boolean isOrderOpen(long order) {
+    return Stream.concat(
+            queue.tasks(),
+            Stream.concat(
+                    handedOver.values().stream(),
+                    reports.values().stream().flatMap(report -> report.missions().stream()))
+                .map(TaskView::task))
+        .anyMatch(task -> task.part() != null && task.part().order() == order);
   }
 
   /**
@@ -172,7 +199,8 @@ final class FleetState {
   }
 
   TaskView view(long queued, Sentence why) {
-    return view(queue.get(queued).orElseThrow(), why);
+    TaskQueue.Queued task = queue.get(queued).orElseThrow();
+    return view(task, legs.reasonToWait(task.task()).orElse(why));
   }
 
   static TaskView view(TaskQueue.Queued queued, Sentence why) {

@@ -177,6 +177,7 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
     FleetStore store = fleet.store;
     List<StoredRobot> stored = store.storedRobots();
     List<OpenTask> leftLoads = store.tasksWithLeftLoads();
+    fleet.legs.recover(open, store.endedLegs());
     stored.forEach(r -> fleet.robots.put(r.name(), r.record()));
     findMissingFloors(floorMaps, open, stored);
     open.stream()
@@ -332,6 +333,7 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
 
   private void floorReported(FloorEvent.FloorReport m) {
     fleet.reports.put(m.floor().name(), m);
+    m.missions().forEach(fleet::recordLeg);
     m.ended().forEach(fleet::addEnded);
     fleet.changed = true;
     rounds.floorReported(m.floor().name());
@@ -339,9 +341,8 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
 
   private void requeue(Mission mission) {
     fleet.handedOver.remove(mission.id());
-    fleet.queue.add(mission, fleet.clock.instant(), true);
+    fleet.enqueue(mission, fleet.clock.instant());
     fleet.changed = true;
-    fleet.dueFloors.add(mission.task().floor());
   }
 
   /** What changes is in the snapshot when every floor has done its tick, or at the next tick. */

@@ -32,6 +32,7 @@ import org.toqa.geometry.Pose;
 import org.toqa.link.trust.Fingerprint;
 import org.toqa.mission.Mission;
 import org.toqa.mission.MissionEvent;
+import org.toqa.mission.OrderPart;
 import org.toqa.mission.TransportTask;
 
 /** What the manager agent is told: by users, by floors, by its store, by the clock. */
@@ -50,10 +51,12 @@ public sealed interface ManagerMessage {
       implements ManagerMessage {}
 
   /**
+   * @param parts which part of an order each is; empty: each is ordered by itself
    * @param deadline of {@link TaskSubmitter#deadline}
    */
   record SubmitTasks(
       List<TaskOrder> orders,
+      List<OrderPart> parts,
       String user,
       List<UUID> idempotencyKeys,
       long deadline,

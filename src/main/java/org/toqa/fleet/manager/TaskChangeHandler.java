@@ -9,6 +9,7 @@ import org.toqa.fleet.EventKind;
 import org.toqa.fleet.EventRecord;
 import org.toqa.fleet.TaskView;
 import org.toqa.mission.MissionEvent;
+import org.toqa.mission.OrderPart;
 import org.toqa.mission.TransportTask;
 import org.toqa.wording.Phrase;
 import org.toqa.wording.Sentence;
@@ -76,10 +77,13 @@ final class TaskChangeHandler {
 
   void delete(ManagerMessage.DeleteTask m) {
     long task = m.task().id();
+    OrderPart part = m.task().task().part();
     if (!storeHealth.isAvailable()) {
       m.replyTo().tell(StatusReply.error(TaskCommandHandler.away()));
     } else if (fleet.floorWithLoadOf(task).isPresent()) {
       refuse(m.replyTo(), Phrase.LOAD_IS_STILL_THERE.with(task));
+    } else if (part != null && fleet.isOrderOpen(part.order())) {
+      refuse(m.replyTo(), Phrase.ORDER_HAS_NOT_ENDED.with(task, part.order()));
     } else if (fleet.queue.get(task).isPresent() || fleet.floorOf(task).isPresent()) {
       refuse(m.replyTo(), Phrase.TASK_HAS_NOT_ENDED.with(task));
     } else {

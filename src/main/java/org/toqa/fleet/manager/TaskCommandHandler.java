@@ -6,7 +6,6 @@ import java.time.Instant;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
-import java.util.UUID;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionStage;
 import java.util.stream.IntStream;
@@ -25,6 +24,7 @@ import org.toqa.grid.FloorMap;
 import org.toqa.mission.Mission;
 import org.toqa.mission.MissionEvent;
 import org.toqa.mission.Objection;
+import org.toqa.mission.OrderPart;
 import org.toqa.mission.TransportTask;
 import org.toqa.persistence.StoreException;
 import org.toqa.wording.Phrase;
@@ -153,7 +153,7 @@ final class TaskCommandHandler {
       check(request);
     } else {
       submitter.submit(
-          submissions(checked.tasks(), request.idempotencyKeys()),
+          submissions(checked.tasks(), request),
           request.deadline(),
           stored -> self.tell(new ManagerMessage.TasksStored(stored, request.replyTo())),
           failure -> reject(request.replyTo(), failure));
@@ -181,9 +181,15 @@ final class TaskCommandHandler {
         .thenComposeAsync(_ -> batch.run(), fleet.runtime.threadPerTaskExecutor("batch"));
   }
 
-  private static List<Submission> submissions(List<TransportTask> tasks, List<UUID> keys) {
+  private static List<Submission> submissions(
+      List<TransportTask> tasks, ManagerMessage.SubmitTasks request) {
+    List<OrderPart> parts = request.parts();
     return IntStream.range(0, tasks.size())
-        .mapToObj(i -> new Submission(tasks.get(i), keys.get(i)))
+        .mapToObj(
+            i ->
+                new Submission(
+                    parts.isEmpty() ? tasks.get(i) : tasks.get(i).withPart(parts.get(i)),
+                    request.idempotencyKeys().get(i)))
         .toList();
   }
 
@@ -280,8 +286,9 @@ final class TaskCommandHandler {
   private List<TaskView> enqueue(List<TransportTask> tasks) {
     List<TaskView> views = new ArrayList<>();
     for (TransportTask task : tasks) {
-      fleet.queue.add(Mission.queued(task), task.createdAt(), true);
-      fleet.dueFloors.add(task.floor());
+      fleet.enqueue(Mission.queued(task), task.createdAt());
+    }
+    for (TransportTask task : tasks) { // a leg says what it waits for
       views.add(fleet.view(task.id(), FleetState.LOOKING_FOR_ROBOT));
     }
     fleet.changed = true;
@@ -312,7 +319,11 @@ final class TaskCommandHandler {
       m.replyTo().tell(StatusReply.success(new Answer.Outdated<>()));
       return;
     }
-    Optional<Objection> objection = queued.mission().objectionTo(m.command());
+    Optional<Objection> objection =
+        queued
+            .mission()
+            .objectionTo(m.command())
+            .or(() -> fleet.legs.objectionTo(m.command(), queued.mission()));
     if (objection.isPresent()) {
       m.replyTo().tell(StatusReply.success(Answer.conflict(objection.get())));
       return;

@@ -78,10 +78,14 @@ final class TaskQueue {
     return inOrder.values().stream().limit(limit);
   }
 
+  Stream<TransportTask> tasks() {
+    return byId.values().stream().map(Queued::task);
+  }
+
   /** The first ones of a floor that may begin and fit. */
-  List<AllocationTask> firstJobs(String floor, Predicate<AllocationTask> fits, int limit) {
+  List<AllocationTask> firstJobs(String floor, Predicate<Queued> fits, int limit) {
     return inOrder.values().stream()
-        .filter(q -> q.canBegin() && q.task().floor().equals(floor) && fits.test(q.job()))
+        .filter(q -> q.canBegin() && q.task().floor().equals(floor) && fits.test(q))
         .limit(limit)
         .map(Queued::job)
         .toList();
