@@ -19,7 +19,15 @@
         <c:otherwise><input type="hidden" name="idempotencyKey" value="<c:out value="${idempotencyKey}"/>"></c:otherwise>
       </c:choose>
       <t:field name="name" label="newTask.name" hint="newTask.name.hint" focus="true"/>
-      <t:field name="load" label="newTask.load" inputmode="decimal"/>
+      <c:choose>
+        <c:when test="${edits}"><t:field name="load" label="newTask.load" inputmode="decimal"/></c:when>
+        <c:otherwise>
+          <div class="grid">
+            <div><t:field name="load" label="newTask.load" inputmode="decimal"/></div>
+            <div><t:field name="pieces" label="newTask.pieces" hint="newTask.pieces.hint" inputmode="numeric" optional="true" value="1"/></div>
+          </div>
+        </c:otherwise>
+      </c:choose>
       <c:choose>
         <c:when test="${fn:length(floors) > 1}">
           <label for="floor"><fmt:message key="newTask.floor"/></label>
@@ -45,6 +53,21 @@
           <small id="${end}-help"><bdi><c:out value="${errors[end]}"/></bdi></small>
         </fieldset>
       </c:forTokens>
+      <c:if test="${not edits}">
+        <c:set var="chosenStops" value=""/>
+        <c:forEach items="${paramValues.stopStation}" var="given"><c:set var="chosenStops" value="${chosenStops}${given}"/></c:forEach>
+        <details class="stops" ${not empty chosenStops or not empty errors.stop ? 'open' : ''}>
+          <summary><fmt:message key="newTask.stops"/></summary>
+          <p class="faint" id="stop-help"><c:choose><c:when test="${not empty errors.stop}"><bdi class="wrong"><c:out value="${errors.stop}"/></bdi></c:when><c:otherwise><fmt:message key="newTask.stops.hint"/></c:otherwise></c:choose></p>
+          <c:forEach begin="0" end="3" var="at">
+            <fmt:message key="newTask.stop" var="label"><fmt:param value="${at + 3}"/></fmt:message>
+            <select name="stopStation" aria-label="${label}" aria-describedby="stop-help" ${not empty errors.stop ? 'aria-invalid="true"' : ''}>
+              <option value="">${label}: <fmt:message key="newTask.station.none"/></option>
+              <c:forEach items="${floor.stations}" var="station"><option value="${fn:escapeXml(station.name)}" dir="auto" ${station.name == paramValues.stopStation[at] ? 'selected' : ''}><c:out value="${station.name}"/></option></c:forEach>
+            </select>
+          </c:forEach>
+        </details>
+      </c:if>
       <div class="grid">
         <div>
           <label for="priority"><fmt:message key="newTask.priority"/></label>

@@ -36,6 +36,7 @@
     <div class="columns">
       <article>
         <dl>
+          <c:if test="${not empty task.task.part}"><dt><fmt:message key="order.onTask"/></dt><dd><t:part part="${task.task.part}" order="${order}"/></dd></c:if>
           <dt><fmt:message key="task.load"/></dt><dd><fmt:message key="common.kilograms"><fmt:param value="${load}"/></fmt:message></dd>
           <dt><fmt:message key="task.start"/></dt><dd><t:place place="${task.task.start}"/></dd>
           <dt><fmt:message key="task.goal"/></dt><dd><t:place place="${task.task.goal}"/></dd>
@@ -108,9 +109,9 @@
           <c:forEach items="${task.needs.answers}" var="answer"><c:if test="${answer != 'cancel'}"><button name="answer" value="<c:out value="${answer}"/>"><fmt:message key="task.answer.${answer == 'another robot' ? 'another' : answer}"/></button></c:if></c:forEach>
         </form>
       </c:if>
-      <form class="choices" method="post" action="${root}/tasks/${task.task.id}/${task.held ? 'resume' : 'hold'}">
+      <form class="choices" method="post" action="${root}/tasks/${task.task.id}/${task.held or isStopped ? 'resume' : 'hold'}">
         <t:csrf/>
-        <button class="outline"><fmt:message key="task.${task.held ? 'resume' : 'hold'}"/></button>
+        <button class="outline"><fmt:message key="task.${task.held or isStopped ? 'resume' : 'hold'}"/></button>
       </form>
       <form class="inline" method="post" action="${root}/tasks/${task.task.id}/priority">
         <t:csrf/>

@@ -85,7 +85,7 @@
             <fmt:formatNumber value="${view.task.load}" maxFractionDigits="2" var="load"/>
             <tr>
               <td class="number">${view.task.id}</td>
-              <th scope="row"><a href="${root}/tasks/${view.task.id}"><bdi><c:out value="${view.task.name}"/></bdi></a></th>
+              <th scope="row"><a href="${root}/tasks/${view.task.id}"><bdi><c:out value="${view.task.name}"/></bdi></a><c:if test="${not empty view.task.part}"><small class="part"><t:part part="${view.task.part}" order="${orders[view.task.part.order]}"/></small></c:if></th>
               <td><t:state of="task" state="${view.state}"/></td>
               <td class="number" data-label="<fmt:message key="tasks.column.load"/>"><fmt:message key="common.kilograms"><fmt:param value="${load}"/></fmt:message></td>
               <td data-label="<fmt:message key="tasks.column.fromTo"/>"><t:place place="${view.task.start}"/> – <t:place place="${view.task.goal}"/></td>

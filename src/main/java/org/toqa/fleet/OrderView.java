@@ -72,14 +72,24 @@ public record OrderView(
     if (needs != null) {
       return Optional.of(needs.question());
     }
+    Optional<Sentence> stopped = whyStopped(task);
+    return stopped.isPresent() || !task.blocked()
+        ? stopped
+        : Optional.ofNullable(task.waitingFor());
+  }
+
+  /** Whether it is a leg that never begins by itself. */
+  public boolean isStopped(TaskView task) {
+    return task.state() == TaskState.QUEUED && whyStopped(task).isPresent();
+  }
+
+  private Optional<Sentence> whyStopped(TaskView task) {
     OrderPart part = task.task().part();
-    if (part != null && part.awaitsPrevious()) {
-      OrderPart.Previous previous = previous(part);
-      if (part.isStoppedBy(previous)) {
-        return part.reasonToWait(previous);
-      }
+    if (part == null || !part.awaitsPrevious()) {
+      return Optional.empty();
     }
-    return task.blocked() ? Optional.ofNullable(task.waitingFor()) : Optional.empty();
+    OrderPart.Previous previous = previous(part);
+    return part.isStoppedBy(previous) ? part.reasonToWait(previous) : Optional.empty();
   }
 
   /** The task of the part before; null: there is none any more. */

@@ -38,6 +38,11 @@ public record TaskOrder(
         0, name, load, from, to, resolvedFloor, priority, deadline, size, user, now);
   }
 
+  /** The same from there to there. */
+  public TaskOrder between(Where from, Where to) {
+    return new TaskOrder(name, load, from, to, floor, priority, deadline, size);
+  }
+
   /** A place by its coordinates or by its station's name. */
   public sealed interface Where {
     record Point(Vec2 position) implements Where {}

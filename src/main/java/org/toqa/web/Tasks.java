@@ -4,6 +4,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.Function;
+import java.util.function.UnaryOperator;
 import java.util.stream.Collectors;
 import org.toqa.fleet.FleetSnapshot;
 import org.toqa.fleet.TaskArchive.Filter;
@@ -28,12 +29,18 @@ public final class Tasks {
   }
 
   public List<TaskView> page(Filter filter, Sort sort, int offset, int limit) {
+    return services.archive().tasks(filter, sort, offset, limit).stream().map(live()).toList();
+  }
+
+  /** What the fleet knows now of tasks that are stored. */
+  UnaryOperator<TaskView> live() {
     Map<Long, TaskView> live =
         services.fleet().snapshots().latest().tasks().stream()
             .collect(Collectors.toMap(TaskView::id, Function.identity()));
-    return services.archive().tasks(filter, sort, offset, limit).stream()
-        .map(task -> live.getOrDefault(task.id(), withReason(task)))
-        .toList();
+    return task -> {
+      TaskView now = live.get(task.id());
+      return now == null ? withReason(task) : now;
+    };
   }
 
   /** Snapshots hold the first ones of the queue; what else is queued comes after them, or now. */

@@ -6,7 +6,12 @@ const REFRESH_INTERVAL = 1_000;
 /** What each kind of region shows of a snapshot: when that changes, the region is fetched anew. */
 const SUBJECTS = {
   tasks: ({tasks, queued}) => [queued, ...tasks.map((task) => [task.id, task.state, task.robots, task.held])],
-  task: ({tasks}, name) => tasks.find((task) => String(task.id) === name),
+  task: ({tasks}, name) => {
+    const task = tasks.find((candidate) => String(candidate.id) === name);
+    return task && [task, task.order && partsOf(tasks, task.order.id).map(({id, state}) => [id, state])];
+  },
+  order: ({tasks}, name) => partsOf(tasks, name),
+  'order-actions': ({tasks}, name) => partsOf(tasks, name).map(({id, state}) => [id, state]),
   robots: ({robots}) => robots.map(({state, task, phase, doing, battery, pose, twist, maxLoad, host, port}) =>
     [state, task, phase, doing, Math.round(100 * battery), pose, twist?.v, maxLoad, host, port]),
   robot: ({robots}, name) => {
@@ -15,7 +20,7 @@ const SUBJECTS = {
   },
   'task-actions': ({tasks}, name) => {
     const task = tasks.find((candidate) => String(candidate.id) === name);
-    return task && [task.state, task.held, task.priority, task.needs];
+    return task && [task.state, task.held, task.blocked, task.priority, task.needs];
   },
   'robot-battery': ({robots}, name) => Math.round(100 * robots.find((robot) => robot.name === name)?.battery),
   'robot-stop': ({robots}, name) => {
@@ -33,6 +38,11 @@ const SUBJECTS = {
     floors.some(({kept}) => kept.some(({robot}) => robot === name)),
   ],
 };
+
+/** The tasks of that order, as far as a snapshot has them. */
+function partsOf(tasks, orderId) {
+  return tasks.filter(({order}) => order && String(order.id) === String(orderId));
+}
 
 /** The parts of a page marked by data-live, which follow the fleet. */
 class LiveRegions {

@@ -5,6 +5,7 @@ import java.io.IOException;
 import java.time.DateTimeException;
 import java.time.Instant;
 import java.time.OffsetDateTime;
+import java.util.ArrayList;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Optional;
@@ -204,6 +205,28 @@ final class JsonFields implements Fields {
       place.refuseUnknown();
     }
     return new Where.Station(station == null ? "" : station);
+  }
+
+  @Override
+  public List<Where> places(String name, int max) {
+    List<JsonNode> given =
+        value(name)
+            .flatMap(
+                value ->
+                    value.isArray() && value.values().stream().allMatch(JsonNode::isObject)
+                        ? Optional.of(List.copyOf(value.values()))
+                        : this.<List<JsonNode>>refuseType(name, "error.type.places"))
+            .orElse(List.of());
+    if (given.size() > max) {
+      errors.add(path(name), texts.get("error.stops.many", max));
+      return List.of();
+    }
+    List<Where> places = new ArrayList<>();
+    for (JsonNode place : given) {
+      String at = path(name) + "." + places.size();
+      places.add(place(at, new JsonFields(place, at + ".", texts, errors)));
+    }
+    return places;
   }
 
   @Override

@@ -6,6 +6,7 @@ import java.util.List;
 import org.jspecify.annotations.Nullable;
 import org.toqa.fleet.EventRecord;
 import org.toqa.fleet.TaskView;
+import org.toqa.mission.OrderPart;
 import org.toqa.mission.Question;
 import org.toqa.mission.TaskPlace;
 import org.toqa.mission.TaskState;
@@ -18,6 +19,7 @@ import org.toqa.wording.Sentence;
  * @param load kilograms
  * @param loadAt where the load is if that is neither its start nor its goal
  * @param blocked whether it waits for what will not come by itself
+ * @param order which part of an order it is
  * @param followed whether the caller follows it; left out of lists and of the live stream
  * @param history left out there too
  */
@@ -42,6 +44,7 @@ public record TaskJson(
     boolean blocked,
     @Nullable Sentence late,
     @Nullable Question needs,
+    @Nullable OrderPartJson order,
     @JsonInclude(JsonInclude.Include.NON_NULL) @Nullable Boolean followed,
     @JsonInclude(JsonInclude.Include.NON_NULL) @Nullable List<EventJson> history) {
 
@@ -49,6 +52,18 @@ public record TaskJson(
   record PlaceJson(double x, double y, @Nullable String station) {
     static PlaceJson of(TaskPlace place) {
       return new PlaceJson(place.position().x(), place.position().y(), place.station());
+    }
+  }
+
+  /**
+   * @param part its position, from 1
+   * @param parts how many there are
+   */
+  record OrderPartJson(long id, String name, int part, int parts) {
+    static @Nullable OrderPartJson of(@Nullable OrderPart part) {
+      return part == null
+          ? null
+          : new OrderPartJson(part.order(), part.name(), part.position(), part.count());
     }
   }
 
@@ -90,6 +105,7 @@ public record TaskJson(
         view.blocked(),
         view.late(),
         view.needs(),
+        OrderPartJson.of(task.part()),
         followed,
         history);
   }

@@ -32,6 +32,16 @@ public interface Fields {
   /** A station or coordinates, as this kind of input writes them. */
   Where place(String name);
 
+  /**
+   * Several of them, in their order; empty where nobody wrote a list of places, or this kind of
+   * input has none.
+   *
+   * @param max a longer list gets a sentence
+   */
+  default List<Where> places(String name, int max) {
+    return List.of();
+  }
+
   /** Both sides, or null where neither is given. */
   @Nullable LoadSize size(String name);
 

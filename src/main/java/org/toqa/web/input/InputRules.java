@@ -13,6 +13,7 @@ import org.jspecify.annotations.Nullable;
 import org.toqa.accounts.PasswordRules;
 import org.toqa.accounts.Role;
 import org.toqa.accounts.Scope;
+import org.toqa.fleet.PartsOrder;
 import org.toqa.link.trust.PairingCode;
 import org.toqa.mission.TransportTask.LoadSize;
 import org.toqa.web.Texts;
@@ -115,6 +116,18 @@ public final class InputRules {
       refuse(field, "error.angle.range");
     }
     return given;
+  }
+
+  /** How many pieces; one where nothing is given. */
+  public int pieces(String field, @Nullable Double given) {
+    if (given == null) {
+      return 1;
+    }
+    if (given != Math.rint(given) || !(given >= 1 && given <= PartsOrder.MAX_PIECES)) {
+      refuse(field, "error.pieces", PartsOrder.MAX_PIECES);
+      return 1;
+    }
+    return given.intValue();
   }
 
   public int priority(String field, @Nullable Double given) {

@@ -2,8 +2,10 @@ package org.toqa.web.input;
 
 import java.time.Instant;
 import java.util.Objects;
+import org.toqa.fleet.PartsOrder;
 import org.toqa.fleet.Recurrence;
 import org.toqa.fleet.TaskOrder;
+import org.toqa.mission.OrderPart;
 
 /**
  * Reads the order of a schedule. What it reads means something only where no sentence was filed.
@@ -68,8 +70,12 @@ public final class ScheduleReader {
 
   /** A schedule that a person enters into the form for tasks. */
   public static ScheduleOrder readForm(Fields form, Instant now) {
-    return new ScheduleReader(form, Names.FORM, now)
-        .read(form, TaskOrderReader.readEntered(form, now));
+    PartsOrder order = TaskOrderReader.readEnteredParts(form, now);
+    if (order.tasks().size() > 1) {
+      String field = order.kind() == OrderPart.Kind.PIECES ? "pieces" : "stop";
+      form.errors().add(field, form.texts().get("error.schedule.parts"));
+    }
+    return new ScheduleReader(form, Names.FORM, now).read(form, order.tasks().getFirst());
   }
 
   /** A schedule that a program gives; the order of its tasks is the object {@code task} in it. */

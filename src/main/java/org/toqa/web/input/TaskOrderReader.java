@@ -2,12 +2,21 @@ package org.toqa.web.input;
 
 import java.time.Instant;
 import java.time.temporal.ChronoUnit;
+import java.util.Collections;
+import java.util.List;
 import java.util.function.UnaryOperator;
+import java.util.stream.IntStream;
+import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
+import org.toqa.fleet.PartsOrder;
 import org.toqa.fleet.TaskOrder;
+import org.toqa.fleet.TaskOrder.Where;
+import org.toqa.mission.OrderPart;
 
 /** Reads the order of a task. What it reads means something only where no sentence was filed. */
 public final class TaskOrderReader {
+  private static final Where NOWHERE = new Where.Station("");
+
   private TaskOrderReader() {}
 
   /** An order that a program gives: its deadline may have passed already. */
@@ -35,19 +44,84 @@ public final class TaskOrderReader {
                 : fields.rules().futureDeadline(fields.path("deadline"), deadline, now));
   }
 
-  private static TaskOrder read(Fields fields, UnaryOperator<@Nullable Instant> deadlineRule) {
-    InputRules rules = fields.rules();
+  /**
+   * An order of several tasks that a program gives: so many {@code pieces} from start to goal, or
+   * one load along its {@code stops}.
+   */
+  public static PartsOrder readParts(Fields fields) {
+    UnaryOperator<@Nullable Instant> deadlineRule =
+        deadline -> fields.rules().deadline(fields.path("deadline"), deadline);
+    if (!fields.has("stops")) {
+      return pieces(fields, read(fields, fields.place("start"), fields.place("goal"), deadlineRule));
+    }
+    List<Where> stops = fields.places("stops", PartsOrder.MAX_STOPS);
+    if (stops.size() < 2) {
+      fields.errors().add(fields.path("stops"), fields.texts().get("error.stops.few"));
+    }
+    if (fields.has("pieces")) {
+      fields.number("pieces"); // it is known, and wrong here
+      fields.errors().add(fields.path("pieces"), fields.texts().get("error.piecesOrStops"));
+    }
+    Where start = stops.isEmpty() ? NOWHERE : stops.getFirst();
+    return legs(fields, read(fields, start, start, deadlineRule), stops);
+  }
+
+  /** The same that a person enters, who says start and goal, and further stops if he wants any. */
+  public static PartsOrder readEnteredParts(Fields fields, Instant now) {
     TaskOrder order =
-        new TaskOrder(
-            rules.taskName(fields.path("name"), fields.text("name")),
-            rules.load(fields.path("load"), fields.number("load")),
+        read(
+            fields,
             fields.place("start"),
             fields.place("goal"),
-            fields.text("floor"),
-            rules.priority(fields.path("priority"), fields.number("priority")),
-            deadlineRule.apply(fields.moment("deadline", "error.deadline")),
-            fields.size("size"));
+            deadline -> fields.rules().futureDeadline(fields.path("deadline"), deadline, now));
+    List<Where> further = fields.places("stop", PartsOrder.MAX_STOPS - 2);
+    PartsOrder pieces = pieces(fields, order);
+    if (further.isEmpty()) {
+      return pieces;
+    }
+    if (pieces.tasks().size() > 1) {
+      fields.errors().add("pieces", fields.texts().get("error.piecesOrStops"));
+    }
+    return legs(
+        fields, order, Stream.concat(Stream.of(order.start(), order.goal()), further.stream()).toList());
+  }
+
+  private static PartsOrder pieces(Fields fields, TaskOrder piece) {
+    int count = fields.rules().pieces(fields.path("pieces"), fields.number("pieces"));
+    fields.refuseUnknown();
+    return new PartsOrder(piece.name(), OrderPart.Kind.PIECES, Collections.nCopies(count, piece));
+  }
+
+  /**
+   * @param order whatever is said beside the places
+   */
+  private static PartsOrder legs(Fields fields, TaskOrder order, List<Where> stops) {
+    fields.refuseUnknown();
+    List<TaskOrder> legs =
+        IntStream.range(1, stops.size())
+            .mapToObj(i -> order.between(stops.get(i - 1), stops.get(i)))
+            .toList();
+    return new PartsOrder(
+        order.name(), OrderPart.Kind.STOPS, legs.isEmpty() ? List.of(order) : legs);
+  }
+
+  private static TaskOrder read(Fields fields, UnaryOperator<@Nullable Instant> deadlineRule) {
+    TaskOrder order = read(fields, fields.place("start"), fields.place("goal"), deadlineRule);
     fields.refuseUnknown();
     return order;
+  }
+
+  private static TaskOrder read(
+      Fields fields, Where start, Where goal, UnaryOperator<@Nullable Instant> deadlineRule) {
+    InputRules rules = fields.rules();
+    return new TaskOrder(
+        rules.taskName(fields.path("name"), fields.text("name")),
+        rules.load(fields.path("load"), fields.number("load")),
+        start,
+        goal,
+        fields.text("floor"),
+        rules.priority(fields.path("priority"), fields.number("priority")),
+        deadlineRule.apply(fields.moment("deadline", "error.deadline")),
+        fields.size("size"));
   }
 }

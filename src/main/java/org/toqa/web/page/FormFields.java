@@ -91,6 +91,21 @@ final class FormFields implements Fields {
             rules.coordinate(name, number(name + "Y", name))));
   }
 
+  /** Stations; one that was not chosen counts for nothing. */
+  @Override
+  public List<Where> places(String name, int max) {
+    List<Where> stations =
+        choices(name + "Station").stream()
+            .filter(station -> !station.isBlank())
+            .<Where>map(Where.Station::new)
+            .toList();
+    if (stations.size() > max) {
+      errors.add(name, texts().get("error.stops.many", max));
+      return List.of();
+    }
+    return stations;
+  }
+
   @Override
   public @Nullable LoadSize size(String name) {
     boolean isGiven = text("length") != null || text("width") != null;

@@ -10,17 +10,22 @@ import java.util.List;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.UUID;
+import java.util.stream.Stream;
 import org.toqa.accounts.Account;
 import org.toqa.fleet.CheckRefusedException;
 import org.toqa.fleet.KeyedAnswer;
+import org.toqa.fleet.PartsOrder;
 import org.toqa.fleet.Schedule;
 import org.toqa.fleet.TaskOrder;
 import org.toqa.fleet.TaskView;
 import org.toqa.grid.FloorMap;
 import org.toqa.web.FleetAnswers;
 import org.toqa.web.IdempotentSubmitter;
+import org.toqa.web.IdempotentSubmitter.BatchOutcome;
+import org.toqa.web.Texts;
 import org.toqa.web.access.Caller;
 import org.toqa.web.input.FieldErrors;
+import org.toqa.web.input.OrderRejections;
 import org.toqa.web.input.ScheduleOrder;
 import org.toqa.web.input.ScheduleReader;
 import org.toqa.web.input.TaskOrderReader;
@@ -60,9 +65,8 @@ public final class NewTaskPage extends PageHandler {
   private static Optional<String> submit(
       HttpServletRequest request, FieldErrors errors, Instant now) {
     return isImmediate(request)
-        ? readForm(request, errors, fields -> TaskOrderReader.readEntered(fields, now))
+        ? readForm(request, errors, fields -> TaskOrderReader.readEnteredParts(fields, now))
             .flatMap(order -> submit(order, request, errors))
-            .map(task -> "/tasks/" + task.id())
         : readForm(request, errors, fields -> ScheduleReader.readForm(fields, now))
             .flatMap(order -> schedule(order, request, errors))
             .map(schedule -> "/schedules?added=" + schedule.id());
@@ -103,6 +107,32 @@ public final class NewTaskPage extends PageHandler {
       case KeyedAnswer.Repeated<Schedule>(Schedule before) -> Optional.of(before);
       case KeyedAnswer.KeyReused<Schedule>() -> Optional.empty();
     };
+  }
+
+  /** The page of the task, or of the order where it is carried as several. */
+  private static Optional<String> submit(
+      PartsOrder order, HttpServletRequest request, FieldErrors errors) {
+    if (order.tasks().size() == 1) {
+      return submit(order.tasks().getFirst(), request, errors).map(task -> "/tasks/" + task.id());
+    }
+    Account user = Caller.of(request).account();
+    UUID key = IdempotentSubmitter.idempotencyKey(user, "order " + idempotencyKey(request));
+    IdempotentSubmitter submitter = services(request).submitter();
+    BatchOutcome outcome = submitter.submitOrder(order, user, key);
+    List<TaskView> tasks =
+        switch (outcome instanceof BatchOutcome.KeyReused
+            ? submitter.submitOrder(order, user, UUID.randomUUID())
+            : outcome) {
+          case BatchOutcome.Answered(var answer) ->
+              OrderRejections.ofForm(order.kind(), Texts.of(request)).accepted(answer, errors);
+          case BatchOutcome.Repeated(List<TaskView> before) -> before;
+          case BatchOutcome.KeyReused() -> List.of();
+        };
+    return tasks.stream()
+        .limit(1)
+        .flatMap(first -> Stream.ofNullable(first.task().part()))
+        .map(part -> "/orders/" + part.order())
+        .findFirst();
   }
 
   private static Optional<TaskView> submit(

@@ -7,11 +7,13 @@ import java.io.IOException;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
+import org.toqa.fleet.OrderView;
 import org.toqa.fleet.TaskView;
 import org.toqa.mission.MissionEvent;
 import org.toqa.mission.TaskState;
 import org.toqa.web.ErrorResponse;
 import org.toqa.web.FleetAnswers;
+import org.toqa.web.Orders;
 import org.toqa.web.RequestPath;
 import org.toqa.web.Tasks;
 import org.toqa.web.Texts;
@@ -215,6 +217,10 @@ public final class TaskPage extends PageHandler {
 
   private static void addAttributes(HttpServletRequest request, TaskView task) {
     request.setAttribute("task", task);
+    OrderView order =
+        new Orders(services(request)).of(List.of(task)).values().stream().findFirst().orElse(null);
+    request.setAttribute("order", order);
+    request.setAttribute("isStopped", order != null && order.isStopped(task));
     request.setAttribute("version", Version.of(task));
     request.setAttribute("mayChange", TaskCommandReader.canChange(Caller.of(request), task));
     request.setAttribute(

@@ -14,6 +14,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 import org.toqa.accounts.Scope;
 import org.toqa.web.Handler;
@@ -28,6 +29,8 @@ import org.toqa.web.api.ImportResource;
 import org.toqa.web.api.MapResource;
 import org.toqa.web.api.MetricsResource;
 import org.toqa.web.api.OpenApiResource;
+import org.toqa.web.api.OrderResource;
+import org.toqa.web.api.OrdersResource;
 import org.toqa.web.api.PasswordResetResource;
 import org.toqa.web.api.PathResource;
 import org.toqa.web.api.ProblemHandler;
@@ -59,6 +62,7 @@ import org.toqa.web.page.LoginPage;
 import org.toqa.web.page.LogoutForm;
 import org.toqa.web.page.MapPage;
 import org.toqa.web.page.NewTaskPage;
+import org.toqa.web.page.OrderPage;
 import org.toqa.web.page.ResetPasswordPage;
 import org.toqa.web.page.RobotPage;
 import org.toqa.web.page.RobotsPage;
@@ -106,6 +110,9 @@ public final class Routes {
           post("/tasks/{id}/priority", CLERK, TaskPage::prioritise),
           post("/tasks/{id}/answer", CLERK, TaskPage::answer),
           post("/tasks/{id}/load-removed", CLERK, TaskPage::removeLoad),
+          get("/orders/{id}", CLERK, OrderPage::show),
+          post("/orders/{id}/cancel", CLERK, OrderPage::cancel),
+          post("/orders/{id}/retry", CLERK, OrderPage::retry),
           get("/schedules", CLERK, SchedulesPage::show),
           post("/schedules/{id}/pause", CLERK, SchedulesPage::pause),
           post("/schedules/{id}/resume", CLERK, SchedulesPage::resume),
@@ -168,6 +175,11 @@ public final class Routes {
           post("/api/v1/tasks/{id}/priority", CLERK, TaskResource::prioritise),
           post("/api/v1/tasks/{id}/answer", CLERK, TaskResource::answer),
           post("/api/v1/tasks/{id}/load-removed", CLERK, TaskResource::removeLoad),
+          get("/api/v1/orders", CLERK, OrdersResource::list),
+          post("/api/v1/orders", CLERK, OrdersResource::add),
+          get("/api/v1/orders/{id}", CLERK, OrderResource::get),
+          post("/api/v1/orders/{id}/cancel", CLERK, OrderResource::cancel),
+          post("/api/v1/orders/{id}/retry", CLERK, OrderResource::retry),
           get("/api/v1/schedules", CLERK, SchedulesResource::list),
           post("/api/v1/schedules", CLERK, SchedulesResource::add),
           get("/api/v1/schedules/{id}", CLERK, ScheduleResource::get),
@@ -248,7 +260,8 @@ public final class Routes {
     if (method.equals("GET")) {
       return Scope.READ;
     }
-    return path.startsWith("/api/v1/tasks") || path.startsWith("/api/v1/schedules")
+    return Stream.of("tasks", "orders", "schedules")
+            .anyMatch(subject -> path.startsWith("/api/v1/" + subject))
         ? Scope.TASKS
         : Scope.MANAGE;
   }

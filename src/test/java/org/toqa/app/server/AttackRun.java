@@ -150,6 +150,19 @@ final class AttackRun implements AutoCloseable {
       TimeUnit.MILLISECONDS.sleep(10);
     }
     places.put("held", held);
+    holdOrder();
+  }
+
+  /** An order of which all is held, so that none of it is on board. */
+  private void holdOrder() {
+    HttpResponse<String> answer = manager.postJson("api/v1/orders", ORDER);
+    assertEquals(201, answer.statusCode(), answer.body());
+    JsonNode order = JSON.readTree(answer.body());
+    for (JsonNode task : order.get("tasks")) {
+      String path = "api/v1/tasks/" + task.get("id").asString() + "/hold";
+      assertEquals(200, manager.postJson(path, "").statusCode());
+    }
+    places.put("order", order.get("id").asString());
   }
 
   /** The secret of a link by which the clerk may choose a new password. */

@@ -38,6 +38,7 @@ final class FormAttacks {
           "/tasks/{id}/load-removed",
           "/tasks/{id}/delete",
           "/tasks/{id}/unfollow",
+          "/orders/{id}/retry",
           "/fleet/resume",
           "/robots/{name}/clear",
           "/schedules/{id}/resume",
@@ -284,7 +285,7 @@ final class FormAttacks {
   /** All pages that are read, each with something on it. */
   private List<String> pages() {
     List<String> pages =
-        Stream.of("users/{clerk}", "users/{self}", "tasks/{held}", "robots/r1", "robots/Absent")
+        Stream.of("users/{clerk}", "users/{self}", "tasks/{held}", "orders/{order}", "robots/r1", "robots/Absent")
             .map(run::filled)
             .collect(Collectors.toCollection(ArrayList::new));
     Routes.all().stream()

@@ -40,7 +40,9 @@ final class FormCases {
                     "width",
                     "deadline",
                     "zone",
-                    "when"),
+                    "when",
+                    "pieces",
+                    "stopStation"),
                 Map.of("name", NAME_OF_100, "idempotencyKey", TAKEN))),
         FormCase.of(
             "tasks/new",
@@ -90,6 +92,7 @@ final class FormCases {
             Map.of("priority", "10"),
             Map.of("priority", REFUSED, "version", CONFLICT)),
         FormCase.of("tasks/{held}", "/tasks/{id}/cancel", Map.of(), Map.of("load", REFUSED)),
+        FormCase.of("orders/{order}", "/orders/{id}/cancel", Map.of(), Map.of("load", REFUSED)),
         FormCase.of("map", "/fleet/pause", Map.of(), Map.of("back", TAKEN)),
         FormCase.of("schedules", "/schedules/{id}/delete", Map.of(), Map.of("version", CONFLICT)),
         FormCase.of(

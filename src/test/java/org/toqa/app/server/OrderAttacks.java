@@ -129,6 +129,10 @@ final class OrderAttacks {
         JsonNode task = JSON.readTree(answer.body());
         assertEquals(body.get("name").asString().strip(), task.get("name").asString(), where);
         run.tasks().cancel(task.get("id").asLong());
+      } else if (order.path().equals("orders")) {
+        JSON.readTree(answer.body())
+            .get("tasks")
+            .forEach(task -> run.tasks().cancel(task.get("id").asLong()));
       }
     } finally {
       if (isAnonymous) {

@@ -51,6 +51,17 @@ final class OrderCases {
         post("tasks/{held}/cancel", "{'load':null}", Map.of("/load", REFUSED), 200),
         post("tasks/{held}/answer", "{'answer':'wait'}", Map.of("/answer", REFUSED), 409),
         post(
+            "orders",
+            "{'name':'Box','load':2,'pieces':2,'start':{'station':'Goods-in 1'},'goal':{'station':'Mill'}}",
+            task(""),
+            201),
+        post(
+            "orders",
+            "{'name':'Box','load':2,'stops':[{'station':'Goods-in 1'},{'station':'Mill'},{'station':'Store A'}]}",
+            Map.of("/stops/0/station", REFUSED),
+            201),
+        post("orders/{order}/cancel", "{'load':null}", Map.of("/load", REFUSED), 200),
+        post(
             "schedules",
             "{'task':" + TASK + ",'at':'2099-01-01T10:00:00Z','until':'2099-01-02T10:00:00Z'}",
             Map.of("/at", REFUSED, "/until", REFUSED),

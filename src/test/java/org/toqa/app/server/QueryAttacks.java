@@ -81,6 +81,7 @@ final class QueryAttacks {
   private static final Map<String, Map<String, Verdict>> NUMBERS =
       Map.of(
           "/api/v1/tasks", Map.of("offset", UNREADABLE, "limit", UNREADABLE),
+          "/api/v1/orders", Map.of("offset", UNREADABLE, "limit", UNREADABLE),
           "/api/v1/tracks/r1", Map.of("hours", UNREADABLE),
           "/api/v1/robots/r1/battery", Map.of("hours", UNREADABLE),
           "/api/v1/history", Map.of("task", REFUSED, "before", REFUSED, "limit", UNREADABLE));

@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import com.microsoft.playwright.Browser;
 import com.microsoft.playwright.Locator;
 import com.microsoft.playwright.Page;
 import java.util.List;
@@ -92,6 +93,67 @@ class OrdersInBrowserTest extends PagesInBrowser {
     assertEquals(RobotState.IDLE, robot("r4").state());
     page.navigate(server.root() + "robots/r4");
     assertThat(page.locator("[data-live-pose]")).containsText("9.30");
+  }
+
+  @Test
+  void anOrderOfPiecesIsFollowedCancelledAndOrderedAgainOnItsPage() {
+    Page page = loggedIn(WebTestServer.CLERK, DESK, "tasks/new");
+    fillTask(page);
+    page.locator("#pieces").fill("3");
+    assertFits(page, "new-order", DESK, PHONE);
+    click(button(page, "Create task"));
+    Locator progress = page.locator("#progress");
+    assertThat(progress).hasText("0 of 3 carried");
+
+    server.fleet().changeTask(1, TaskState.DONE, List.of("r1"), "r1 has parked.");
+    assertThat(progress).hasText("1 of 3 carried");
+    Locator state = page.locator(".heading .state");
+    assertThat(state).hasText("In progress");
+    assertFits(page, "order", DESK, PHONE, DARK_PHONE);
+
+    page.navigate(server.root() + "tasks");
+    Locator second = page.locator("tr", new Page.LocatorOptions().setHasText("Piece 2 of 3"));
+    assertThat(second).containsText("1 of 3 carried");
+    assertFits(page, "tasks-of-order", DESK, PHONE);
+    page.navigate(server.root() + "tasks/2");
+    assertThat(page.locator("dl")).containsText("Piece 2 of 3 · 1 of 3 carried");
+    page.getByText("Piece 2 of 3").click();
+    page.locator("summary", new Page.LocatorOptions().setHasText("Cancel order")).click();
+    click(button(page, "Confirm cancellation"));
+    assertThat(state).hasText("Ended, not all carried");
+    assertEquals(TaskState.CANCELLED, server.fleet().task(2).orElseThrow().state());
+
+    click(button(page, "Order again what was not carried"));
+    assertThat(state).hasText("In progress");
+    assertThat(page.locator("tbody tr")).hasCount(3);
+  }
+
+  @Test
+  void aLoadGoesOnFromStopToStopInArabic() {
+    Page page =
+        loggedIn(
+            WebTestServer.CLERK,
+            new Browser.NewContextOptions().setViewportSize(390, 844).setLocale("ar"),
+            "tasks/new");
+    fillTask(page);
+    page.locator("details.stops summary").click();
+    page.locator("select[name=stopStation]").first().selectOption("Dock A");
+    assertFits(page, "new-order-ar", DESK, PHONE);
+    page.locator("form.task button").click();
+    assertThat(page.locator("tbody tr")).hasCount(2);
+
+    server.fleet().changeTask(1, TaskState.CANCELLED, List.of(), "It was cancelled.");
+
+    assertThat(page.locator("#live .notice.bad")).hasCount(1);
+    assertThat(page.locator(".heading .state")).hasText("متوقف");
+    assertFits(page, "order-ar", DESK, PHONE);
+  }
+
+  private static void fillTask(Page page) {
+    page.locator("#name").fill("Bolts");
+    page.locator("#load").fill("2");
+    page.locator("#startStation").selectOption("Dock A");
+    page.locator("#goalStation").selectOption("Shelf 3");
   }
 
   private RobotView robot(String name) {

@@ -1,0 +1,79 @@
+package org.toqa.web;
+
+import java.util.Comparator;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.function.Function;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+import org.jspecify.annotations.Nullable;
+import org.toqa.fleet.Answer;
+import org.toqa.fleet.OrderView;
+import org.toqa.fleet.TaskView;
+import org.toqa.mission.MissionEvent;
+import org.toqa.mission.OrderPart;
+import org.toqa.mission.TaskState;
+
+/** Orders as readers see them, with what the fleet knows now of their tasks. */
+public final class Orders {
+  private final Services services;
+  private final Tasks tasks;
+
+  public Orders(Services services) {
+    this.services = services;
+    this.tasks = new Tasks(services);
+  }
+
+  public Optional<OrderView> order(long id) {
+    return services.orders().order(id).map(order -> order.withTasks(tasks.live()));
+  }
+
+  /** Newest first. */
+  public List<OrderView> page(int offset, int limit) {
+    return live(services.orders().orders(offset, limit));
+  }
+
+  public long count() {
+    return services.orders().orderCount();
+  }
+
+  /** The orders that these tasks are parts of, by id. */
+  public Map<Long, OrderView> of(List<TaskView> parts) {
+    List<Long> ids =
+        parts.stream()
+            .flatMap(task -> Stream.ofNullable(task.task().part()))
+            .map(OrderPart::order)
+            .distinct()
+            .toList();
+    return live(services.orders().orders(ids)).stream()
+        .collect(Collectors.toMap(OrderView::id, Function.identity()));
+  }
+
+  private List<OrderView> live(List<OrderView> stored) {
+    var live = tasks.live();
+    return stored.stream().map(order -> order.withTasks(live)).toList();
+  }
+
+  /**
+   * Cancels all of an order that is not delivered, one task after the other, those with the load on
+   * board first: where nobody said what becomes of that nothing is cancelled. Repeated, it cancels
+   * what is left.
+   *
+   * @return why not, where a person must say more
+   */
+  public @Nullable Answer<TaskView> cancel(OrderView order, MissionEvent.Cancel cancel) {
+    List<TaskView> open =
+        order.open().reversed().stream()
+            .sorted(Comparator.comparing((TaskView task) -> task.state() != TaskState.CARRYING))
+            .toList();
+    for (TaskView task : open) {
+      Answer<TaskView> answer =
+          FleetAnswers.await(services.fleet().commandTask(task.id(), cancel));
+      if (answer instanceof Answer.Conflict<TaskView> conflict && conflict.needs() != null) {
+        return answer;
+      } // any other no: it has ended or is delivered by now
+    }
+    return null;
+  }
+}

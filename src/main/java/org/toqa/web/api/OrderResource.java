@@ -1,0 +1,91 @@
+package org.toqa.web.api;
+
+import jakarta.servlet.http.HttpServletRequest;
+import jakarta.servlet.http.HttpServletResponse;
+import java.io.IOException;
+import org.toqa.fleet.Answer;
+import org.toqa.fleet.BatchAnswer;
+import org.toqa.fleet.OrderView;
+import org.toqa.fleet.TaskView;
+import org.toqa.mission.MissionEvent;
+import org.toqa.web.Orders;
+import org.toqa.web.RequestPath;
+import org.toqa.web.Texts;
+import org.toqa.web.access.Caller;
+import org.toqa.web.input.FieldErrors;
+import org.toqa.web.input.OrderAccess;
+import org.toqa.web.input.OrderRejections;
+import org.toqa.web.input.TaskCommandReader;
+
+/** One order with its tasks, and what may be done with all of them. */
+public final class OrderResource extends ApiHandler {
+  public static void get(HttpServletRequest request, HttpServletResponse response)
+      throws IOException {
+    send(request, response, order(request));
+  }
+
+  /** A body is needed only where the place of loads on board must be said. */
+  public static void cancel(HttpServletRequest request, HttpServletResponse response)
+      throws IOException {
+    OrderView order = changeableOrder(request);
+    Answer<TaskView> refusal = new Orders(services(request)).cancel(order, readCancel(request));
+    if (refusal != null) {
+      acceptedValue(request, refusal);
+    }
+    send(request, response, order(request));
+  }
+
+  private static MissionEvent.Cancel readCancel(HttpServletRequest request) throws IOException {
+    Caller user = Caller.of(request);
+    if (!JsonFields.hasBody(request)) {
+      return new MissionEvent.Cancel(user.name(), null);
+    }
+    return readBody(
+        request,
+        fields -> {
+          MissionEvent.Cancel cancel =
+              new TaskCommandReader(fields.texts(), fields.errors())
+                  .readCancel(user, fields.text("load"));
+          fields.refuseUnknown();
+          return cancel;
+        });
+  }
+
+  /** Orders again what has ended without delivery. */
+  public static void retry(HttpServletRequest request, HttpServletResponse response)
+      throws IOException {
+    OrderView order = changeableOrder(request);
+    Texts texts = Texts.of(request);
+    BatchAnswer answer =
+        services(request)
+            .submitter()
+            .retry(order.id(), Caller.of(request).account())
+            .orElseThrow(
+                () -> Problem.of(409, texts.get("problem.order.nothingToRetry")).exception());
+    FieldErrors errors = new FieldErrors();
+    OrderRejections.ofJson(order.kind(), texts).accepted(answer, errors);
+    throwIfAny(errors);
+    send(request, response, order(request));
+  }
+
+  private static OrderView changeableOrder(HttpServletRequest request) {
+    OrderView order = order(request);
+    if (!OrderAccess.canChange(Caller.of(request), order)) {
+      throw Problem.of(403, Texts.of(request).get("problem.notYourOrder")).exception();
+    }
+    return order;
+  }
+
+  private static OrderView order(HttpServletRequest request) {
+    return new Orders(services(request))
+        .order(RequestPath.number(request, "id"))
+        .orElseThrow(
+            () -> Problem.of(404, Texts.of(request).get("problem.noSuchOrder")).exception());
+  }
+
+  private static void send(
+      HttpServletRequest request, HttpServletResponse response, OrderView order)
+      throws IOException {
+    Json.send(request, response, 200, OrderJson.of(order));
+  }
+}
