@@ -17,7 +17,7 @@
         <p class="faint">${title}</p>
         <h1><bdi><c:out value="${order.name}"/></bdi></h1>
       </div>
-      <t:state of="order" state="${order.state()}"/>
+      <span class="state" data-state="${order.state()}"><fmt:message key="order.state.${order.state()}"/></span>
     </div>
     <p class="progress"><progress aria-label="${progressLabel}" value="${order.delivered()}" max="${order.parts}"></progress> <strong id="progress">${progress}</strong></p>
     <c:forEach items="${stuck}" var="part">
@@ -78,7 +78,7 @@
         <summary role="button" class="outline secondary"><fmt:message key="order.cancel"/></summary>
         <form method="post" action="${root}/orders/${order.id}/cancel">
           <t:csrf/>
-          <p><fmt:message key="order.cancel.sure${carrying ? '.carrying' : ''}"/></p>
+          <p><fmt:message key="order.cancel.sure.${carrying ? 'carrying' : 'before'}"/></p>
           <div class="choices">
             <c:choose>
               <c:when test="${carrying}">
