@@ -48,12 +48,12 @@ public interface Fleet {
   /**
    * All these tasks, or none.
    *
-   * @param parts which part of an order each is, those of a new order from its first to its last;
-   *     empty: each is ordered by itself
+   * @param parts which part of an order each is, those of a new order from its first to its last,
+   *     null where it is ordered by itself; empty: each is
    * @param keys one for each task; no task has one of them yet
    */
   CompletionStage<BatchAnswer> submitAll(
-      List<TaskOrder> orders, List<OrderPart> parts, String user, List<UUID> keys);
+      List<TaskOrder> orders, List<@Nullable OrderPart> parts, String user, List<UUID> keys);
 
   /**
    * Whether tasks with this key are being stored, or withdrawn again after their submission failed:

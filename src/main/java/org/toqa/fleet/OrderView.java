@@ -93,7 +93,7 @@ public record OrderView(
   }
 
   /** The task of the part before; null: there is none any more. */
-  private OrderPart.@Nullable Previous previous(OrderPart part) {
+  OrderPart.@Nullable Previous previous(OrderPart part) {
     return current().stream()
         .filter(task -> position(task) == part.position() - 1)
         .findFirst()
@@ -120,7 +120,7 @@ public record OrderView(
     return hasBegun ? OrderState.IN_PROGRESS : OrderState.QUEUED;
   }
 
-  static int position(TaskView task) {
+  private static int position(TaskView task) {
     OrderPart part = task.task().part();
     return part == null ? 0 : part.position();
   }

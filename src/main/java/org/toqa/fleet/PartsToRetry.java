@@ -26,7 +26,7 @@ public record PartsToRetry(List<TaskOrder> orders, List<OrderPart> parts) {
       OrderPart part = ended.task().part();
       if (part != null && !isPassedOver(order, part)) {
         orders.add(order(ended));
-        parts.add(part.withAwaitsPrevious(isAfterUndelivered(order, part)));
+        parts.add(part.withAwaitsPrevious(part.awaitsPrevious() && !isPreviousDelivered(order, part)));
       }
     }
     return new PartsToRetry(orders, parts);
@@ -40,12 +40,9 @@ public record PartsToRetry(List<TaskOrder> orders, List<OrderPart> parts) {
             .anyMatch(next -> next.position() == part.position() + 1 && !next.awaitsPrevious());
   }
 
-  /** Whether the leg before it is still to be delivered, or is ordered anew too. */
-  private static boolean isAfterUndelivered(OrderView order, OrderPart part) {
-    return part.kind() == OrderPart.Kind.STOPS
-        && order.current().stream()
-            .filter(task -> OrderView.position(task) == part.position() - 1)
-            .anyMatch(task -> !task.state().isDelivered());
+  private static boolean isPreviousDelivered(OrderView order, OrderPart part) {
+    OrderPart.Previous previous = order.previous(part);
+    return previous != null && previous.state().isDelivered();
   }
 
   private static TaskOrder order(TaskView ended) {

@@ -1,6 +1,8 @@
 package org.toqa.web;
 
 import java.nio.charset.StandardCharsets;
+import java.util.ArrayList;
+import java.util.Collections;
 import java.util.List;
 import java.util.Optional;
 import java.util.UUID;
@@ -9,6 +11,7 @@ import java.util.concurrent.locks.ReentrantLock;
 import java.util.function.Predicate;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
+import org.jspecify.annotations.Nullable;
 import org.toqa.accounts.Account;
 import org.toqa.fleet.BatchAnswer;
 import org.toqa.fleet.Fleet;
@@ -78,34 +81,54 @@ public final class IdempotentSubmitter {
   }
 
   /**
-   * @param orders at least one; the key after the last one's shows whether there were more before
+   * All orders of a table, or none; one of a single piece is an ordinary task.
+   *
+   * @param rows at least one
    */
-  public BatchOutcome submitAll(List<TaskOrder> orders, Account user, UUID key) {
-    return submitAll(
-        orders,
-        List.of(),
-        user,
-        key,
-        before ->
-            before.size() == orders.size()
-                && IntStream.range(0, orders.size())
-                    .allMatch(
-                        i ->
-                            before.get(i).part() == null
-                                && orders.get(i).isOrderOf(before.get(i))));
+  public BatchOutcome submitTable(List<PartsOrder> rows, Account user, UUID key) {
+    List<TaskOrder> orders = rows.stream().flatMap(row -> row.tasks().stream()).toList();
+    List<@Nullable OrderPart> parts = new ArrayList<>();
+    for (PartsOrder row : rows) {
+      parts.addAll(
+          row.tasks().size() == 1 ? Collections.singletonList(null) : List.copyOf(row.parts()));
+    }
+    return submitAll(orders, parts, user, key, before -> isTable(rows, before));
+  }
+
+  private static boolean isTable(List<PartsOrder> rows, List<TransportTask> tasks) {
+    int next = 0;
+    for (PartsOrder row : rows) {
+      int end = next + row.tasks().size();
+      if (end > tasks.size()) {
+        return false;
+      }
+      List<TransportTask> ofRow = tasks.subList(next, end);
+      boolean isSame =
+          ofRow.size() == 1
+              ? ofRow.getFirst().part() == null
+                  && row.tasks().getFirst().isOrderOf(ofRow.getFirst())
+              : row.isOrderOf(ofRow);
+      if (!isSame) {
+        return false;
+      }
+      next = end;
+    }
+    return next == tasks.size();
   }
 
   /** All parts of an order, or none. */
   public BatchOutcome submitOrder(PartsOrder order, Account user, UUID key) {
-    return submitAll(order.tasks(), order.parts(), user, key, order::isOrderOf);
+    return submitAll(order.tasks(), List.<@Nullable OrderPart>copyOf(order.parts()), user, key, order::isOrderOf);
   }
 
   /**
+   * @param orders at least one; the key after the last one's shows whether there were more before
+   * @param parts which part of an order each is; null: it is ordered by itself
    * @param isSame whether the tasks that came with the key before are those that are ordered now
    */
   private BatchOutcome submitAll(
       List<TaskOrder> orders,
-      List<OrderPart> parts,
+      List<@Nullable OrderPart> parts,
       Account user,
       UUID key,
       Predicate<List<TransportTask>> isSame) {

@@ -21,7 +21,9 @@ import org.toqa.allocation.Policy;
 import org.toqa.fleet.TaskOrder.Where;
 import org.toqa.geometry.Vec2;
 import org.toqa.grid.FloorReader;
+import org.toqa.mission.OrderPart;
 import org.toqa.persistence.StoreException;
+import org.toqa.store.JdbiOrderArchive;
 
 /** Orders of which all are wanted or none. */
 @Timeout(120)
@@ -105,14 +107,19 @@ class TaskBatchTest {
   void whatWasNotAnsweredAsStoredIsNotThereLater() throws Exception {
     dies.set(true);
     List<TaskOrder> orders = List.of(order("a", "Mill"), order("b", "Mill"));
+    PartsOrder pieces = new PartsOrder("pieces", OrderPart.Kind.PIECES, orders);
     List<UUID> keys = keys(2);
 
-    ExecutionException refused = assertThrows(ExecutionException.class, () -> submit(orders, keys));
+    ExecutionException refused =
+        assertThrows(
+            ExecutionException.class,
+            () -> await(stage.fleet.submitAll(orders, pieces.parts(), "Clara", keys)));
 
     assertInstanceOf(StoreException.class, refused.getCause());
     dies.set(false);
     assertInstanceOf(BatchAnswer.Accepted.class, submit(orders, keys));
     assertEquals(2, stage.store.count());
+    assertEquals(0, new JdbiOrderArchive(stage.database.jdbi()).orderCount());
   }
 
   private BatchAnswer submit(List<TaskOrder> orders, List<UUID> keys) throws Exception {

@@ -24,10 +24,12 @@ import org.toqa.fleet.ChargingRules;
 import org.toqa.fleet.FleetStage;
 import org.toqa.fleet.KeyedAnswer;
 import org.toqa.fleet.TamperedStore;
+import org.toqa.fleet.PartsOrder;
 import org.toqa.fleet.TaskOrder;
 import org.toqa.fleet.TaskOrder.Where;
 import org.toqa.fleet.TaskView;
 import org.toqa.grid.FloorReader;
+import org.toqa.mission.OrderPart;
 import org.toqa.persistence.StoreException;
 import org.toqa.store.JdbiOrderArchive;
 
@@ -100,16 +102,17 @@ class AcceptedTaskTest {
   @Test
   void tasksThatCameTogetherAreNotAnsweredBeforeTheyAreWithdrawn() throws Exception {
     afterStored.set(this::loseAnswerAndStore);
-    List<TaskOrder> orders = List.of(order(), order());
+    PartsOrder order =
+        new PartsOrder("pieces", OrderPart.Kind.PIECES, List.of(order(), order()));
 
-    assertThrows(StoreException.class, () -> submitter.submitAll(orders, CLARA, KEY));
-    assertThrows(StoreException.class, () -> submitter.submitAll(orders, CLARA, KEY));
+    assertThrows(StoreException.class, () -> submitter.submitOrder(order, CLARA, KEY));
+    assertThrows(StoreException.class, () -> submitter.submitOrder(order, CLARA, KEY));
 
     startStore();
     assertInstanceOf(
-        IdempotentSubmitter.BatchOutcome.Answered.class, submitter.submitAll(orders, CLARA, KEY));
+        IdempotentSubmitter.BatchOutcome.Answered.class, submitter.submitOrder(order, CLARA, KEY));
     assertInstanceOf(
-        IdempotentSubmitter.BatchOutcome.Repeated.class, submitter.submitAll(orders, CLARA, KEY));
+        IdempotentSubmitter.BatchOutcome.Repeated.class, submitter.submitOrder(order, CLARA, KEY));
     stage.awaitQuiescence();
     assertEquals(2, stage.store.count());
   }

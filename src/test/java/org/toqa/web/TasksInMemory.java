@@ -161,7 +161,7 @@ public abstract class TasksInMemory extends ArchiveInMemory implements Fleet {
 
   @Override
   public CompletionStage<BatchAnswer> submitAll(
-      List<TaskOrder> orders, List<OrderPart> parts, String user, List<UUID> keys) {
+      List<TaskOrder> orders, List<@Nullable OrderPart> parts, String user, List<UUID> keys) {
     if (refused != null) {
       return CompletableFuture.failedFuture(new CheckRefusedException(refused));
     }
@@ -178,8 +178,11 @@ public abstract class TasksInMemory extends ArchiveInMemory implements Fleet {
       long newOrder = nextId;
       for (int i = 0; i < orders.size(); i++) {
         submit(orders.get(i), user, keys.get(i));
-        if (!parts.isEmpty()) {
-          OrderPart part = parts.get(i);
+        OrderPart part = parts.isEmpty() ? null : parts.get(i);
+        if (part != null && part.position() == 1) {
+          newOrder = nextId;
+        }
+        if (part != null) {
           setPart(part.order() == 0 ? part.withOrder(newOrder) : part);
         }
         added.add(tasks.getLast());

@@ -197,7 +197,7 @@ public final class AgentFleet implements Fleet, AutoCloseable {
 
   @Override
   public CompletionStage<BatchAnswer> submitAll(
-      List<TaskOrder> orders, List<OrderPart> parts, String user, List<UUID> keys) {
+      List<TaskOrder> orders, List<@Nullable OrderPart> parts, String user, List<UUID> keys) {
     long deadline = TaskSubmitter.deadline(runtime.nanoTime());
     return manager.askChecked(
         user,

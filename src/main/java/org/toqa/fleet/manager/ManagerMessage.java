@@ -51,12 +51,12 @@ public sealed interface ManagerMessage {
       implements ManagerMessage {}
 
   /**
-   * @param parts which part of an order each is; empty: each is ordered by itself
+   * @param parts which part of an order each is, null where it is ordered by itself; empty: each is
    * @param deadline of {@link TaskSubmitter#deadline}
    */
   record SubmitTasks(
       List<TaskOrder> orders,
-      List<OrderPart> parts,
+      List<@Nullable OrderPart> parts,
       String user,
       List<UUID> idempotencyKeys,
       long deadline,

@@ -11,6 +11,7 @@ import java.util.concurrent.CompletionStage;
 import java.util.stream.IntStream;
 import org.apache.pekko.actor.typed.ActorRef;
 import org.apache.pekko.pattern.StatusReply;
+import org.jspecify.annotations.Nullable;
 import org.toqa.allocation.AllocationProblem;
 import org.toqa.allocation.Allocator;
 import org.toqa.fleet.Answer;
@@ -183,7 +184,7 @@ final class TaskCommandHandler {
 
   private static List<Submission> submissions(
       List<TransportTask> tasks, ManagerMessage.SubmitTasks request) {
-    List<OrderPart> parts = request.parts();
+    List<@Nullable OrderPart> parts = request.parts();
     return IntStream.range(0, tasks.size())
         .mapToObj(
             i ->

@@ -2,12 +2,15 @@ package org.toqa.web.input;
 
 import java.time.DateTimeException;
 import java.time.ZoneId;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 import java.util.UUID;
 import org.jspecify.annotations.Nullable;
 import org.toqa.accounts.Account;
 import org.toqa.fleet.BatchAnswer;
+import org.toqa.fleet.PartsOrder;
 import org.toqa.fleet.TaskOrder;
 import org.toqa.fleet.TaskView;
 import org.toqa.web.FleetAnswers;
@@ -47,25 +50,42 @@ public final class TaskImport {
    */
   public Outcome run(byte[] file, ZoneId zone, Account user, UUID key) {
     TaskOrderTable table = TaskOrderTable.read(file, zone, services.clock().instant(), texts);
-    List<TaskOrder> orders = table.rows().stream().map(TaskOrderTable.Row::order).toList();
+    List<PartsOrder> orders = table.rows().stream().map(TaskOrderTable.Row::order).toList();
     if (!table.faults().isEmpty()) {
+      List<TaskOrder> first = orders.stream().map(order -> order.tasks().getFirst()).toList();
       return withRefusals(
-          table, FleetAnswers.await(services.fleet().rejections(orders, user.name())));
+          table,
+          table.rows(),
+          FleetAnswers.await(services.fleet().rejections(first, user.name())));
     }
-    return switch (services.submitter().submitAll(orders, user, key)) {
+    return switch (services.submitter().submitTable(orders, user, key)) {
       case IdempotentSubmitter.BatchOutcome.Answered(BatchAnswer.Accepted(var tasks)) ->
           new Outcome.Imported(tasks);
       case IdempotentSubmitter.BatchOutcome.Answered(BatchAnswer.Rejected(var refusals)) ->
-          withRefusals(table, refusals);
+          withRefusals(table, rowsOfTasks(table), refusals);
       case IdempotentSubmitter.BatchOutcome.Repeated(var tasks) -> new Outcome.Imported(tasks);
       case IdempotentSubmitter.BatchOutcome.KeyReused() -> new Outcome.KeyReused();
     };
   }
 
-  private Outcome withRefusals(TaskOrderTable table, List<BatchAnswer.Rejection> refusals) {
+  /** For each task the row that orders it. */
+  private static List<TaskOrderTable.Row> rowsOfTasks(TaskOrderTable table) {
+    return table.rows().stream()
+        .flatMap(row -> row.order().tasks().stream().map(_ -> row))
+        .toList();
+  }
+
+  /**
+   * @param rows which row each refused order comes from
+   */
+  private Outcome withRefusals(
+      TaskOrderTable table,
+      List<TaskOrderTable.Row> rows,
+      List<BatchAnswer.Rejection> refusals) {
+    Set<List<Object>> told = new HashSet<>(); // of all pieces of a row the same
     for (BatchAnswer.Rejection refusal : refusals) {
-      TaskOrderTable.Row row = table.rows().get(refusal.index());
-      if (row.isReadable(refusal.field())) {
+      TaskOrderTable.Row row = rows.get(refusal.index());
+      if (row.isReadable(refusal.field()) && told.add(List.of(row, refusal.sentence()))) {
         table
             .faults()
             .add(new LineFault(row.line(), refusal.field(), texts.text(refusal.sentence())));

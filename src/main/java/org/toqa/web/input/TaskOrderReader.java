@@ -24,14 +24,8 @@ public final class TaskOrderReader {
     return read(fields, deadline -> fields.rules().deadline(fields.path("deadline"), deadline));
   }
 
-  /** An order that a person enters: a deadline that has passed is a slip. */
-  public static TaskOrder readEntered(Fields fields, Instant now) {
-    return read(
-        fields, deadline -> fields.rules().futureDeadline(fields.path("deadline"), deadline, now));
-  }
-
   /**
-   * The same of a task that is edited.
+   * An order that a person edits: a deadline that has passed is a slip.
    *
    * @param before its deadline, which counts to the second where the minute is left as it was
    */

@@ -9,7 +9,7 @@ import java.util.Map;
 import java.util.Set;
 import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
-import org.toqa.fleet.TaskOrder;
+import org.toqa.fleet.PartsOrder;
 import org.toqa.web.Texts;
 
 /**
@@ -24,6 +24,7 @@ final class TaskOrderTable {
       List.of(
           "name",
           "load",
+          "pieces",
           "start",
           "startX",
           "startY",
@@ -44,11 +45,11 @@ final class TaskOrderTable {
   private final List<Row> rows = new ArrayList<>();
 
   /**
-   * An order and its line.
+   * An order and its line; one of a single piece is an ordinary task.
    *
    * @param faulty columns that cannot be read; what the order has of them means nothing
    */
-  record Row(long line, TaskOrder order, Set<String> faulty) {
+  record Row(long line, PartsOrder order, Set<String> faulty) {
     /** Whether that field of the order comes from columns that can be read. */
     boolean isReadable(@Nullable String field) {
       return field == null
@@ -106,6 +107,19 @@ final class TaskOrderTable {
       addFault(1, "error.import.empty");
     } else {
       lines.forEach(line -> read(header, line));
+      checkCount();
+    }
+  }
+
+  private void checkCount() {
+    int tasks = 0;
+    for (Row row : rows) {
+      tasks += row.order().tasks().size();
+      if (tasks > MAX_ORDERS) {
+        int all = rows.stream().mapToInt(each -> each.order().tasks().size()).sum();
+        addFault(row.line(), "error.import.long", MAX_ORDERS, all);
+        return;
+      }
     }
   }
 
@@ -119,8 +133,8 @@ final class TaskOrderTable {
       cells.put(header.get(i), line.cells().get(i));
     }
     FieldErrors errors = new FieldErrors();
-    TaskOrder order =
-        TaskOrderReader.readEntered(
+    PartsOrder order =
+        TaskOrderReader.readEnteredParts(
             new CsvFields(cells, table.separator() == ';', zone, texts, errors), now);
     rows.add(new Row(line.number(), order, Set.copyOf(errors.sentences().keySet())));
     faults.addAll(line.number(), errors);

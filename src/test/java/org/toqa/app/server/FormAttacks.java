@@ -168,7 +168,17 @@ final class FormAttacks {
   /** Every cell of a table, and the fields beside it. */
   private void attackTables() throws Exception {
     for (String place :
-        List.of("name", "load", "start", "goal", "floor", "priority", "deadline", "zone", "key")) {
+        List.of(
+            "name",
+            "load",
+            "pieces",
+            "start",
+            "goal",
+            "floor",
+            "priority",
+            "deadline",
+            "zone",
+            "key")) {
       for (Attack attack : Attack.values()) {
         run.next();
         Map<String, String> row = new LinkedHashMap<>();

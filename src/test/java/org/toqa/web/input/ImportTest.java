@@ -88,6 +88,32 @@ class ImportTest {
     assertEquals(2, added());
   }
 
+  @Test
+  void aLineOfSeveralPiecesIsAnOrderOfItsOwn() {
+    String header = "name,load,pieces,start,goal\n";
+    String hundred = "bolts,1,100,Dock A,Shelf 3\n";
+    HttpResponse<String> tooMany =
+        post("api/v1/tasks/import", header + hundred.repeat(5) + "nuts,1,1,Dock A,Shelf 3\n");
+    assertEquals(422, tooMany.statusCode());
+    assertEquals(7, JSON.readTree(tooMany.body()).get("errors").get(0).get("line").asInt());
+    assertEquals(0, added());
+
+    HttpResponse<String> answer =
+        post(
+            "api/v1/tasks/import",
+            header
+                + "bolts,2.5,3,Dock A,Shelf 3\nnuts,1,,Shelf 3,Dock A\nnails,1,2,Dock A,Shelf 3\n");
+
+    assertEquals(201, answer.statusCode(), answer.body());
+    List<JsonNode> orders =
+        JSON.readTree(answer.body()).values().stream().map(task -> task.get("order")).toList();
+    assertEquals(6, added());
+    assertEquals(List.of(3, 3, 3), orders.subList(0, 3).stream().map(o -> o.get("parts").asInt()).toList());
+    assertTrue(orders.get(3).isNull());
+    assertEquals(2, orders.get(5).get("part").asInt());
+    assertFalse(orders.get(5).get("id").equals(orders.get(0).get("id")));
+  }
+
   @ParameterizedTest
   @ValueSource(
       strings = {
