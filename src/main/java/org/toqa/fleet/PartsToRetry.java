@@ -26,7 +26,8 @@ public record PartsToRetry(List<TaskOrder> orders, List<OrderPart> parts) {
       OrderPart part = ended.task().part();
       if (part != null && !isPassedOver(order, part)) {
         orders.add(order(ended));
-        parts.add(part.withAwaitsPrevious(part.awaitsPrevious() && !isPreviousDelivered(order, part)));
+        parts.add(
+            part.withAwaitsPrevious(part.awaitsPrevious() && !isPreviousDelivered(order, part)));
       }
     }
     return new PartsToRetry(orders, parts);

@@ -118,7 +118,12 @@ public final class IdempotentSubmitter {
 
   /** All parts of an order, or none. */
   public BatchOutcome submitOrder(PartsOrder order, Account user, UUID key) {
-    return submitAll(order.tasks(), List.<@Nullable OrderPart>copyOf(order.parts()), user, key, order::isOrderOf);
+    return submitAll(
+        order.tasks(),
+        List.<@Nullable OrderPart>copyOf(order.parts()),
+        user,
+        key,
+        order::isOrderOf);
   }
 
   /**

@@ -68,8 +68,7 @@ public final class Orders {
             .sorted(Comparator.comparing((TaskView task) -> task.state() != TaskState.CARRYING))
             .toList();
     for (TaskView task : open) {
-      Answer<TaskView> answer =
-          FleetAnswers.await(services.fleet().commandTask(task.id(), cancel));
+      Answer<TaskView> answer = FleetAnswers.await(services.fleet().commandTask(task.id(), cancel));
       if (answer instanceof Answer.Conflict<TaskView> conflict && conflict.needs() != null) {
         return answer;
       } // any other no: it has ended or is delivered by now

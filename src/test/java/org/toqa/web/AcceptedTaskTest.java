@@ -23,8 +23,8 @@ import org.toqa.fleet.Answer;
 import org.toqa.fleet.ChargingRules;
 import org.toqa.fleet.FleetStage;
 import org.toqa.fleet.KeyedAnswer;
-import org.toqa.fleet.TamperedStore;
 import org.toqa.fleet.PartsOrder;
+import org.toqa.fleet.TamperedStore;
 import org.toqa.fleet.TaskOrder;
 import org.toqa.fleet.TaskOrder.Where;
 import org.toqa.fleet.TaskView;
@@ -102,8 +102,7 @@ class AcceptedTaskTest {
   @Test
   void tasksThatCameTogetherAreNotAnsweredBeforeTheyAreWithdrawn() throws Exception {
     afterStored.set(this::loseAnswerAndStore);
-    PartsOrder order =
-        new PartsOrder("pieces", OrderPart.Kind.PIECES, List.of(order(), order()));
+    PartsOrder order = new PartsOrder("pieces", OrderPart.Kind.PIECES, List.of(order(), order()));
 
     assertThrows(StoreException.class, () -> submitter.submitOrder(order, CLARA, KEY));
     assertThrows(StoreException.class, () -> submitter.submitOrder(order, CLARA, KEY));

@@ -54,9 +54,7 @@ public final class TaskImport {
     if (!table.faults().isEmpty()) {
       List<TaskOrder> first = orders.stream().map(order -> order.tasks().getFirst()).toList();
       return withRefusals(
-          table,
-          table.rows(),
-          FleetAnswers.await(services.fleet().rejections(first, user.name())));
+          table, table.rows(), FleetAnswers.await(services.fleet().rejections(first, user.name())));
     }
     return switch (services.submitter().submitTable(orders, user, key)) {
       case IdempotentSubmitter.BatchOutcome.Answered(BatchAnswer.Accepted(var tasks)) ->
@@ -79,9 +77,7 @@ public final class TaskImport {
    * @param rows which row each refused order comes from
    */
   private Outcome withRefusals(
-      TaskOrderTable table,
-      List<TaskOrderTable.Row> rows,
-      List<BatchAnswer.Rejection> refusals) {
+      TaskOrderTable table, List<TaskOrderTable.Row> rows, List<BatchAnswer.Rejection> refusals) {
     Set<List<Object>> told = new HashSet<>(); // of all pieces of a row the same
     for (BatchAnswer.Rejection refusal : refusals) {
       TaskOrderTable.Row row = rows.get(refusal.index());

@@ -46,7 +46,8 @@ public final class TaskOrderReader {
     UnaryOperator<@Nullable Instant> deadlineRule =
         deadline -> fields.rules().deadline(fields.path("deadline"), deadline);
     if (!fields.has("stops")) {
-      return pieces(fields, read(fields, fields.place("start"), fields.place("goal"), deadlineRule));
+      return pieces(
+          fields, read(fields, fields.place("start"), fields.place("goal"), deadlineRule));
     }
     List<Where> stops = fields.places("stops", PartsOrder.MAX_STOPS);
     if (stops.size() < 2) {
@@ -77,7 +78,9 @@ public final class TaskOrderReader {
       fields.errors().add("pieces", fields.texts().get("error.piecesOrStops"));
     }
     return legs(
-        fields, order, Stream.concat(Stream.of(order.start(), order.goal()), further.stream()).toList());
+        fields,
+        order,
+        Stream.concat(Stream.of(order.start(), order.goal()), further.stream()).toList());
   }
 
   private static PartsOrder pieces(Fields fields, TaskOrder piece) {

@@ -79,10 +79,7 @@ public final class OrderPage extends PageHandler {
   }
 
   private static void answer(
-      HttpServletRequest request,
-      HttpServletResponse response,
-      OrderView order,
-      FieldErrors errors)
+      HttpServletRequest request, HttpServletResponse response, OrderView order, FieldErrors errors)
       throws ServletException, IOException {
     if (errors.isEmpty()) {
       redirect(request, response, "/orders/" + order.id());
@@ -117,7 +114,6 @@ public final class OrderPage extends PageHandler {
     request.setAttribute("mayRetry", !PartsToRetry.of(order).orders().isEmpty());
     request.setAttribute("stuck", order.stuck());
     request.setAttribute(
-        "carrying",
-        order.open().stream().anyMatch(task -> task.state() == TaskState.CARRYING));
+        "carrying", order.open().stream().anyMatch(task -> task.state() == TaskState.CARRYING));
   }
 }

@@ -295,7 +295,13 @@ final class FormAttacks {
   /** All pages that are read, each with something on it. */
   private List<String> pages() {
     List<String> pages =
-        Stream.of("users/{clerk}", "users/{self}", "tasks/{held}", "orders/{order}", "robots/r1", "robots/Absent")
+        Stream.of(
+                "users/{clerk}",
+                "users/{self}",
+                "tasks/{held}",
+                "orders/{order}",
+                "robots/r1",
+                "robots/Absent")
             .map(run::filled)
             .collect(Collectors.toCollection(ArrayList::new));
     Routes.all().stream()

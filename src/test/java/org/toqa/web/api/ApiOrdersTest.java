@@ -65,7 +65,8 @@ class ApiOrdersTest extends ApiTestServer {
     JsonNode again = JSON.readTree(post(token, path + "/retry", "").body());
 
     assertEquals("STOPS QUEUED 0 of 2", summary(again));
-    assertEquals("3 2", again.get("tasks").get(0).get("id") + " " + again.get("tasks").get(1).get("id"));
+    assertEquals(
+        "3 2", again.get("tasks").get(0).get("id") + " " + again.get("tasks").get(1).get("id"));
     assertEquals(409, post(token, path + "/retry", "").statusCode());
   }
 
@@ -82,7 +83,8 @@ class ApiOrdersTest extends ApiTestServer {
 
     HttpResponse<String> asked = post(clerk, own + "/cancel", "");
     assertEquals(409, asked.statusCode());
-    assertEquals("[\"here\",\"back\"]", JSON.readTree(asked.body()).at("/needs/answers").toString());
+    assertEquals(
+        "[\"here\",\"back\"]", JSON.readTree(asked.body()).at("/needs/answers").toString());
     assertEquals("PIECES IN_PROGRESS 1 of 3", summary(JSON.readTree(get(own).body())));
     assertEquals(422, post(clerk, own + "/cancel", "{\"load\":\"away\"}").statusCode());
 

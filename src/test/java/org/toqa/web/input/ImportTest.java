@@ -108,7 +108,8 @@ class ImportTest {
     List<JsonNode> orders =
         JSON.readTree(answer.body()).values().stream().map(task -> task.get("order")).toList();
     assertEquals(6, added());
-    assertEquals(List.of(3, 3, 3), orders.subList(0, 3).stream().map(o -> o.get("parts").asInt()).toList());
+    assertEquals(
+        List.of(3, 3, 3), orders.subList(0, 3).stream().map(o -> o.get("parts").asInt()).toList());
     assertTrue(orders.get(3).isNull());
     assertEquals(2, orders.get(5).get("part").asInt());
     assertFalse(orders.get(5).get("id").equals(orders.get(0).get("id")));
