@@ -2,6 +2,7 @@ package org.toqa.allocation;
 
 import java.time.Instant;
 import java.util.List;
+import org.jspecify.annotations.Nullable;
 import org.toqa.geometry.Vec2;
 
 /**
@@ -16,27 +17,49 @@ import org.toqa.geometry.Vec2;
  *     still go to other robots; no two of one robot
  * @param robots all of the floor
  * @param placesInUse places where tasks that have robots are being fetched or set down
+ * @param received what the robots' agents said of the tasks; null: it is computed here
  */
 public record AllocationProblem(
     Instant now,
     Vec2 low,
     Vec2 high,
-    PathLengths pathLengths,
-    List<Vec2> chargers,
+    Terrain terrain,
     List<AllocationTask> waiting,
     List<GivenTask> givenTasks,
     List<Candidate> robots,
-    List<PlaceUse> placesInUse) {
+    List<PlaceUse> placesInUse,
+    @Nullable ReceivedQuotes received) {
 
   /** A task that a robot has and that another one may still take over. */
   public record GivenTask(AllocationTask task, String robot) {}
 
+  public AllocationProblem(
+      Instant now,
+      Vec2 low,
+      Vec2 high,
+      Terrain terrain,
+      List<AllocationTask> waiting,
+      List<GivenTask> givenTasks,
+      List<Candidate> robots,
+      List<PlaceUse> placesInUse) {
+    this(now, low, high, terrain, waiting, givenTasks, robots, placesInUse, null);
+  }
+
   public AllocationProblem {
-    chargers = List.copyOf(chargers);
     waiting = waiting.stream().sorted(AllocationTask.BY_PRECEDENCE).toList();
     givenTasks = List.copyOf(givenTasks);
     robots = List.copyOf(robots);
     placesInUse = List.copyOf(placesInUse);
+  }
+
+  /** What robots would carry the tasks for. */
+  Quotes quotes() {
+    return received == null ? new Costs(terrain) : received;
+  }
+
+  AllocationProblem withWaiting(List<AllocationTask> nextWaiting, List<Candidate> nextRobots) {
+    return new AllocationProblem(
+        now, low, high, terrain, nextWaiting, givenTasks, nextRobots, placesInUse, received);
   }
 
   List<Candidate> freeRobots() {

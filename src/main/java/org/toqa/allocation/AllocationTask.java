@@ -46,6 +46,11 @@ public record AllocationTask(long id, double load, Vec2 start, Vec2 goal, Instan
     return a.isAfter(b) ? a : b;
   }
 
+  /** What one of several robots carries of it at most. */
+  AllocationTask partFor(Candidate robot) {
+    return new AllocationTask(id, Math.min(load, robot.maxLoad()), start, goal, waitsFrom);
+  }
+
   /** Seconds, at least 0. */
   double waitedSeconds(Instant now) {
     return Math.max(0, Duration.between(waitsFrom, now).toMillis() / 1000.0);

@@ -30,6 +30,11 @@ public record Candidate(
         robot, maxLoad, diameter, speed, position, parking, battery, Availability.BUSY, task);
   }
 
+  Candidate withoutTask() {
+    return new Candidate(
+        robot, maxLoad, diameter, speed, position, parking, battery, Availability.FREE, null);
+  }
+
   boolean isFree() {
     return availability == Availability.FREE;
   }

@@ -4,17 +4,15 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.function.ToDoubleFunction;
-import org.jspecify.annotations.Nullable;
 import org.toqa.geometry.Vec2;
+import org.toqa.wording.Phrase;
+import org.toqa.wording.Sentence;
 
 /**
  * What it costs that a robot carries a load, in joules: the energy of its path to the load and with
  * it, and what speaks against this robot besides.
  */
-final class Costs {
-  /** No robot does this. */
-  static final double IMPOSSIBLE = Double.POSITIVE_INFINITY;
-
+final class Costs implements Quotes {
   /** An empty battery makes the path to the load count half as much again. */
   private static final double EMPTY_BATTERY = 0.5;
 
@@ -27,61 +25,24 @@ final class Costs {
   private final PathLengths pathLengths;
   private final List<Vec2> chargers;
 
-  /**
-   * @param chargers the floor's charging points, metres, map frame; without any, nobody looks
-   *     whether a battery lasts
-   */
-  Costs(PathLengths pathLengths, List<Vec2> chargers) {
-    this.pathLengths = pathLengths;
-    this.chargers = List.copyOf(chargers);
+  Costs(Terrain terrain) {
+    this.pathLengths = terrain.pathLengths();
+    this.chargers = terrain.chargers();
   }
 
-  Costs(AllocationProblem problem) {
-    this(problem.pathLengths(), problem.chargers());
-  }
-
-  /** Why a robot cannot do a task. */
-  enum Impediment {
-    TOO_WEAK,
-    NO_PATH,
-    /** It would not get to a charger after it. */
-    BATTERY
-  }
-
-  /**
-   * One robot's part.
-   *
-   * @param approach metres to the load
-   * @param joules {@link #IMPOSSIBLE} where something speaks against it
-   * @param impediment null where nothing does
-   */
-  record Cost(double approach, double joules, @Nullable Impediment impediment) {
-    static Cost impossible(double approach, Impediment obstacle) {
-      return new Cost(approach, IMPOSSIBLE, obstacle);
-    }
-
-    boolean isPossible() {
-      return impediment == null;
-    }
-  }
-
-  /** The costs of a task for robots, in their order. */
-  List<Cost> of(AllocationTask task, List<Candidate> robots) {
+  @Override
+  public List<Quote> of(AllocationTask task, List<Candidate> robots) {
     Map<Double, TaskPaths> byDiameter = new HashMap<>();
     return robots.stream()
         .map(
             r ->
-                cost(
+                quote(
                     task, r, byDiameter.computeIfAbsent(r.diameter(), d -> new TaskPaths(task, d))))
         .toList();
   }
 
-  Cost of(AllocationTask task, Candidate robot) {
-    return of(task, List.of(robot)).getFirst();
-  }
-
-  /** Whether the path from start to goal is wide enough for the robot. */
-  boolean hasPathFor(AllocationTask task, Candidate robot) {
+  @Override
+  public boolean hasPathFor(AllocationTask task, Candidate robot) {
     return Double.isFinite(
         pathLengths.lengthsFrom(task.start(), robot.diameter()).applyAsDouble(task.goal()));
   }
@@ -109,14 +70,15 @@ final class Costs {
     return Math.max(1, USUAL_SPEED / robot.speed());
   }
 
-  private Cost cost(AllocationTask task, Candidate robot, TaskPaths paths) {
+  private Quote quote(AllocationTask task, Candidate robot, TaskPaths paths) {
     double approach = paths.toLoad.applyAsDouble(robot.position());
     double carried = paths.carried;
     if (!robot.isStrongEnough(task)) {
-      return Cost.impossible(approach, Impediment.TOO_WEAK);
+      return Quote.impossible(approach, Impediment.TOO_WEAK, Phrase.IS_TOO_WEAK.with());
     }
     if (Double.isInfinite(approach + carried)) {
-      return Cost.impossible(approach, Impediment.NO_PATH);
+      return Quote.impossible(
+          approach, Impediment.NO_PATH, Phrase.FINDS_NO_WAY.with(robot.diameter()));
     }
     double charge = robot.battery() == null ? 1 : robot.battery();
     double used =
@@ -124,7 +86,7 @@ final class Costs {
             + Energy.joules(carried, task.load())
             + Energy.joules(paths.toCharger, 0);
     if (!chargers.isEmpty() && used > (charge - Energy.RESERVE) * Energy.BATTERY_JOULES) {
-      return Cost.impossible(approach, Impediment.BATTERY);
+      return Quote.impossible(approach, Impediment.BATTERY, lowBattery(robot));
     }
     double spare = robot.maxLoad() - task.load();
     double metres =
@@ -132,6 +94,13 @@ final class Costs {
             + DETOUR_PER_SPARE_KILOGRAM * spare;
     double joules =
         Energy.joules(metres, 0) + slowness(robot) * Energy.joules(carried, task.load());
-    return new Cost(approach, joules, null);
+    return Quote.possible(approach, joules);
+  }
+
+  private static Sentence lowBattery(Candidate robot) {
+    Double battery = robot.battery();
+    return battery == null
+        ? Phrase.WOULD_NOT_REACH_CHARGER.with()
+        : Phrase.WOULD_NOT_REACH_CHARGER_WITH.with(Math.round(100 * battery));
   }
 }

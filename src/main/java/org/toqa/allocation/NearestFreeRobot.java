@@ -15,12 +15,12 @@ public final class NearestFreeRobot implements Allocator {
 
   @Override
   public List<Decision> allocate(AllocationProblem problem) {
-    Costs costs = new Costs(problem);
+    Quotes quotes = problem.quotes();
     return SequentialAllocation.allocate(
         problem,
         (task, left) ->
             left.stream()
-                .filter(r -> costs.of(task, r).isPossible())
+                .filter(r -> quotes.of(task, r).isPossible())
                 .min(comparingDouble(r -> r.position().distanceTo(task.start())))
                 .map(r -> new Chosen(r, reason(r, task))));
   }

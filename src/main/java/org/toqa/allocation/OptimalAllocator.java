@@ -8,7 +8,6 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.stream.Stream;
 import org.toqa.allocation.AllocationProblem.GivenTask;
-import org.toqa.allocation.Costs.Cost;
 import org.toqa.wording.Phrase;
 import org.toqa.wording.Sentence;
 
@@ -56,7 +55,7 @@ public final class OptimalAllocator implements Allocator {
     private final AllocationProblem problem;
     private final List<AllocationTask> tasks;
     private final List<Candidate> robots;
-    private final List<List<Cost>> costs;
+    private final List<List<Quote>> costs;
 
     Table(AllocationProblem problem) {
       this.problem = problem;
@@ -67,7 +66,7 @@ public final class OptimalAllocator implements Allocator {
               .toList();
       robots =
           problem.robots().stream().filter(r -> r.isFree() || holders.contains(r.robot())).toList();
-      Costs model = new Costs(problem);
+      Quotes model = problem.quotes();
       costs = tasks.stream().map(task -> model.of(task, robots)).toList();
     }
 
@@ -103,7 +102,7 @@ public final class OptimalAllocator implements Allocator {
     }
 
     private double weight(int task, int robot) {
-      Cost cost = costs.get(task).get(robot);
+      Quote cost = costs.get(task).get(robot);
       if (!cost.isPossible()) {
         return isHolder(robot, task)
             ? 0

@@ -29,8 +29,7 @@ final class PlaceReservations {
 
   /** Its places are its own from now on. */
   void reserve(AllocationTask task, boolean together) {
-    uses.add(new PlaceUse(task.id(), task.start(), together));
-    uses.add(new PlaceUse(task.id(), task.goal(), together));
+    uses.addAll(PlaceUse.of(task, together));
   }
 
   /** Its places are kept for it until it gets them. */

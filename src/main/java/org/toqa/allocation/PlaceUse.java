@@ -1,5 +1,6 @@
 package org.toqa.allocation;
 
+import java.util.List;
 import org.toqa.geometry.Vec2;
 
 /**
@@ -11,4 +12,11 @@ import org.toqa.geometry.Vec2;
 public record PlaceUse(long task, Vec2 place, boolean together) {
   /** Metres round a place that robots need that are round a load there. */
   public static final double REACH = 1.2;
+
+  /** The places of a task that has robots. */
+  static List<PlaceUse> of(AllocationTask task, boolean together) {
+    return List.of(
+        new PlaceUse(task.id(), task.start(), together),
+        new PlaceUse(task.id(), task.goal(), together));
+  }
 }

@@ -8,11 +8,14 @@ public enum Policy {
   CONTRACT_NET,
   OPTIMAL;
 
-  public Allocator allocator() {
+  public AllocationMethod method() {
     return switch (this) {
-      case ZONES -> new TeamAllocator(new ZoneAllocator(), ZoneTeams::new);
-      case CONTRACT_NET -> new TeamAllocator(new ContractNet(), _ -> new NearestTeams());
-      case OPTIMAL -> new TeamAllocator(new OptimalAllocator(), _ -> new NearestTeams());
+      case ZONES ->
+          new AllocationMethod.Computed(new TeamAllocator(new ZoneAllocator(), ZoneTeams::new));
+      case CONTRACT_NET -> new AllocationMethod.Negotiated();
+      case OPTIMAL ->
+          new AllocationMethod.Computed(
+              new TeamAllocator(new OptimalAllocator(), _ -> new NearestTeams()));
     };
   }
 

@@ -2,9 +2,11 @@ package org.toqa.allocation;
 
 import java.util.ArrayList;
 import java.util.HashMap;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import java.util.function.Function;
 import org.toqa.allocation.TeamRanking.Member;
 import org.toqa.wording.Sentence;
@@ -34,51 +36,70 @@ public final class TeamAllocator implements Allocator {
     this.teamRanking = teamRanking;
   }
 
+  /**
+   * @param kept robots that no task for one of them may have, since a load waits for more of them
+   */
+  record Outcome(List<Decision> decisions, Set<String> kept) {}
+
   @Override
   public List<Decision> allocate(AllocationProblem problem) {
+    return decide(problem).decisions();
+  }
+
+  Outcome decide(AllocationProblem problem) {
     Round round = new Round(problem, teamRanking.apply(problem));
     problem.waiting().forEach(round::decide);
     List<AllocationTask> remaining = round.singleRobotTasks();
     round.decisions.addAll(
         singleRobotAllocator.allocate(withRemaining(problem, remaining, round.taken)));
-    return round.decisions;
+    return new Outcome(round.decisions, Set.copyOf(round.kept));
+  }
+
+  /** Whether the load is too heavy for every robot that fits on its path. */
+  static boolean isForSeveral(AllocationProblem problem, AllocationTask task) {
+    return isForSeveral(task, fitting(problem, task));
+  }
+
+  private static boolean isForSeveral(AllocationTask task, List<Candidate> fitting) {
+    return !fitting.isEmpty() && fitting.stream().noneMatch(r -> r.isStrongEnough(task));
+  }
+
+  /** The robots for which the path of the load is wide enough. */
+  private static List<Candidate> fitting(AllocationProblem problem, AllocationTask task) {
+    Quotes quotes = problem.quotes();
+    return problem.robots().stream().filter(r -> quotes.hasPathFor(task, r)).toList();
   }
 
   private static final class Round {
     private final AllocationProblem problem;
     private final WaitExplainer explainer;
-    private final Costs costs;
+    private final Quotes quotes;
     private final TeamRanking ranking;
     private final PlaceReservations places;
     private final List<Decision> decisions = new ArrayList<>();
     private final List<AllocationTask> singleRobotTasks = new ArrayList<>();
     private final Map<String, Long> taken = new HashMap<>();
+    private final Set<String> kept = new HashSet<>();
 
     Round(AllocationProblem problem, TeamRanking ranking) {
       this.problem = problem;
       this.ranking = ranking;
       this.explainer = new WaitExplainer(problem);
-      this.costs = new Costs(problem);
+      this.quotes = problem.quotes();
       this.places = new PlaceReservations(problem.placesInUse());
     }
 
     /** Decides about a task for several robots; in the order of precedence. */
     void decide(AllocationTask task) {
-      List<Candidate> fitting = fitting(task);
-      boolean together =
-          !fitting.isEmpty() && fitting.stream().noneMatch(r -> r.isStrongEnough(task));
+      List<Candidate> fitting = fitting(problem, task);
+      boolean together = isForSeveral(task, fitting);
       if (addWaiting(task, places.conflict(task, together))) {
         places.keepForWaiting(task, together);
       } else if (together) {
-        gatherTeam(task);
+        gatherTeam(task, fitting);
       } else {
         singleRobotTasks.add(task);
       }
-    }
-
-    /** The robots for which the path of the load is wide enough. */
-    private List<Candidate> fitting(AllocationTask task) {
-      return problem.robots().stream().filter(r -> costs.hasPathFor(task, r)).toList();
     }
 
     private boolean addWaiting(AllocationTask task, Optional<Sentence> objection) {
@@ -86,11 +107,11 @@ public final class TeamAllocator implements Allocator {
       return objection.isPresent();
     }
 
-    private void gatherTeam(AllocationTask task) {
+    private void gatherTeam(AllocationTask task, List<Candidate> fitting) {
       List<Candidate> usable =
           problem.freeRobots().stream().filter(r -> !taken.containsKey(r.robot())).toList();
-      List<Member> team = team(task, usable, fitting(task));
-      int needed = size(task, fitting(task)).orElse(Integer.MAX_VALUE);
+      List<Member> team = team(task, usable, fitting);
+      int needed = size(task, fitting).orElse(Integer.MAX_VALUE);
       if (team.size() == needed) {
         team.forEach(m -> taken.put(m.robot().robot(), task.id()));
         places.reserve(task, true);
@@ -99,6 +120,7 @@ public final class TeamAllocator implements Allocator {
       }
       if (singleRobotTasks.isEmpty() && needed <= MOST_ROBOTS) {
         team.forEach(m -> taken.put(m.robot().robot(), task.id()));
+        team.forEach(m -> kept.add(m.robot().robot()));
         places.keepForWaiting(task, true);
       }
       decisions.add(explainer.unassigned(task));
@@ -113,7 +135,7 @@ public final class TeamAllocator implements Allocator {
       AllocationTask share = share(task, size.get());
       List<Member> able = new ArrayList<>();
       for (Candidate robot : free) {
-        Costs.Cost cost = costs.of(share, robot);
+        Quote cost = quotes.of(share, robot);
         if (cost.isPossible()) {
           able.add(new Member(robot, cost.approach()));
         }
@@ -158,15 +180,6 @@ public final class TeamAllocator implements Allocator {
         problem.robots().stream()
             .map(r -> taken.containsKey(r.robot()) ? r.withTask(taken.get(r.robot())) : r)
             .toList();
-    return new AllocationProblem(
-        problem.now(),
-        problem.low(),
-        problem.high(),
-        problem.pathLengths(),
-        problem.chargers(),
-        waiting,
-        problem.givenTasks(),
-        robots,
-        problem.placesInUse());
+    return problem.withWaiting(waiting, robots);
   }
 }

@@ -8,7 +8,6 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.stream.IntStream;
-import org.toqa.allocation.Costs.Impediment;
 import org.toqa.geometry.Vec2;
 import org.toqa.wording.Phrase;
 import org.toqa.wording.Sentence;
@@ -19,24 +18,28 @@ public final class WaitExplainer {
   private static final int NAMED = 3;
 
   private final List<Candidate> robots;
-  private final Costs costs;
+  private final Quotes quotes;
 
   /**
    * @param pathLengths {@link PathLengths#STRAIGHT} where nobody has looked for paths yet
    * @param chargers the floor's charging points, metres, map frame
    */
   public WaitExplainer(List<Candidate> robots, PathLengths pathLengths, List<Vec2> chargers) {
-    this.robots = List.copyOf(robots);
-    this.costs = new Costs(pathLengths, chargers);
+    this(robots, new Costs(new Terrain(pathLengths, chargers)));
   }
 
   WaitExplainer(AllocationProblem problem) {
-    this(problem.robots(), problem.pathLengths(), problem.chargers());
+    this(problem.robots(), problem.quotes());
+  }
+
+  private WaitExplainer(List<Candidate> robots, Quotes quotes) {
+    this.robots = List.copyOf(robots);
+    this.quotes = quotes;
   }
 
   Decision.Unassigned unassigned(AllocationTask task) {
     List<Candidate> free = robots.stream().filter(Candidate::isFree).toList();
-    List<Costs.Cost> prices = free.isEmpty() ? List.of() : costs.of(task, free);
+    List<Quote> prices = free.isEmpty() ? List.of() : quotes.of(task, free);
     List<String> drained =
         IntStream.range(0, free.size())
             .filter(i -> prices.get(i).impediment() == Impediment.BATTERY)
@@ -104,16 +107,8 @@ public final class WaitExplainer {
   }
 
   private Sentence whatKeepsFree(AllocationTask task, Candidate robot) {
-    Double battery = robot.battery();
-    return switch (costs.of(task, robot).impediment()) {
-      case null -> robot.availability().ofOne();
-      case TOO_WEAK -> Phrase.IS_TOO_WEAK.with();
-      case NO_PATH -> Phrase.FINDS_NO_WAY.with(robot.diameter());
-      case BATTERY ->
-          battery == null
-              ? Phrase.WOULD_NOT_REACH_CHARGER.with()
-              : Phrase.WOULD_NOT_REACH_CHARGER_WITH.with(Math.round(100 * battery));
-    };
+    Sentence reason = quotes.of(task, robot).reason();
+    return reason == null ? robot.availability().ofOne() : reason;
   }
 
   private static List<Sentence> counted(List<Candidate> strong) {

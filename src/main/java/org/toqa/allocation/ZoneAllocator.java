@@ -22,13 +22,13 @@ public final class ZoneAllocator implements Allocator {
       return SequentialAllocation.allocate(problem, (task, left) -> Optional.empty());
     }
     Zones zones = new Zones(problem.low(), problem.high(), problem.robots());
-    Costs costs = new Costs(problem);
+    Quotes quotes = problem.quotes();
     return SequentialAllocation.allocate(
         problem,
         (task, left) ->
             zones.outwardFrom(task.start()).stream()
                 .filter(zone -> left.contains(zones.robotOf(zone)))
-                .filter(zone -> costs.of(task, zones.robotOf(zone)).isPossible())
+                .filter(zone -> quotes.of(task, zones.robotOf(zone)).isPossible())
                 .findFirst()
                 .map(zone -> new Chosen(zones.robotOf(zone), reason(zones, zone, task))));
   }

@@ -7,6 +7,7 @@ import java.util.concurrent.Executors;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.ThreadPoolExecutor;
 import java.util.concurrent.TimeUnit;
+import org.apache.pekko.actor.typed.Behavior;
 
 /**
  * What the agents take of the machine that they run on: threads, and a clock for how long it
@@ -57,6 +58,15 @@ public interface FleetRuntime {
 
   /** What runs the agents; empty: the threads of their system. */
   Optional<Executor> agentExecutor();
+
+  /**
+   * What runs as an agent: the usual one, where nobody puts another in its place.
+   *
+   * @param name such as {@code robot-r1}
+   */
+  default <T> Behavior<T> agent(String name, Behavior<T> usual) {
+    return usual;
+  }
 
   /** Does one thing after the other; its owner shuts it down. */
   ExecutorService serialExecutor(String name);

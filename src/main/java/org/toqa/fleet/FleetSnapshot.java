@@ -2,7 +2,9 @@ package org.toqa.fleet;
 
 import java.time.Instant;
 import java.util.List;
+import java.util.Map;
 import org.jspecify.annotations.Nullable;
+import org.toqa.allocation.NegotiationLine;
 import org.toqa.wording.Sentence;
 
 /**
@@ -15,6 +17,7 @@ import org.toqa.wording.Sentence;
  * @param queuedCount how many tasks wait in the queue, also those that are not among {@code tasks}
  * @param floors those that have reported, in their order
  * @param pause null while the fleet is not paused
+ * @param negotiations by task, what was last said of it by robots' agents; the oldest first
  * @param alerts what concerns the whole fleet, such as a store that does not answer
  */
 public record FleetSnapshot(
@@ -25,23 +28,25 @@ public record FleetSnapshot(
     int queuedCount,
     List<FloorView> floors,
     @Nullable Hold pause,
+    Map<Long, List<NegotiationLine>> negotiations,
     List<Sentence> alerts) {
 
   public FleetSnapshot {
     robots = List.copyOf(robots);
     tasks = List.copyOf(tasks);
     floors = List.copyOf(floors);
+    negotiations = Map.copyOf(negotiations);
     alerts = List.copyOf(alerts);
   }
 
   /** Of a fleet that nothing is known of yet but whether it is paused. */
   public static FleetSnapshot initial(Instant at, @Nullable Hold pause) {
-    return new FleetSnapshot(0, at, List.of(), List.of(), 0, List.of(), pause, List.of());
+    return new FleetSnapshot(0, at, List.of(), List.of(), 0, List.of(), pause, Map.of(), List.of());
   }
 
   /** The same with another version and other alerts. */
   public FleetSnapshot with(long otherVersion, List<Sentence> otherAlerts) {
     return new FleetSnapshot(
-        otherVersion, at, robots, tasks, queuedCount, floors, pause, otherAlerts);
+        otherVersion, at, robots, tasks, queuedCount, floors, pause, negotiations, otherAlerts);
   }
 }

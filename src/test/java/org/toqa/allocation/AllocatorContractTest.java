@@ -34,7 +34,7 @@ class AllocatorContractTest {
 
   static Stream<Allocator> allocators() {
     return Stream.of(
-        new NearestFreeRobot(), new ZoneAllocator(), new ContractNet(), new OptimalAllocator());
+        new NearestFreeRobot(), new ZoneAllocator(), new NegotiatedAllocator(), new OptimalAllocator());
   }
 
   @ParameterizedTest
@@ -58,7 +58,9 @@ class AllocatorContractTest {
           assertTrue(chosen.add(name), "seed " + seed + ": " + name + " has two tasks");
           assertTrue(robot.isFree(), "seed " + seed + ": " + name);
           assertTrue(
-              robot.isStrongEnough(byId(problem, decision.task())), "seed " + seed + ": " + name);
+              Outcome.robots(decision).size() > 1
+                  || robot.isStrongEnough(byId(problem, decision.task())),
+              "seed " + seed + ": " + name);
         }
       }
     }
@@ -131,8 +133,7 @@ class AllocatorContractTest {
             NOON,
             Vec2.ZERO,
             new Vec2(80, 10),
-            walled,
-            List.of(),
+            new Terrain(walled, List.of()),
             List.of(job(1, 1, 60)),
             List.of(),
             List.of(free("r1", 5, 20), free("r2", 5, 39)),
@@ -174,7 +175,7 @@ class AllocatorContractTest {
   void ofRobotsAsFarTheFasterOneIsChosen() {
     Candidate slow = sized("slow", 0.25, 0.1, 39);
     Candidate fast = sized("fast", 0.25, 0.25, 38);
-    for (Allocator allocator : List.of(new ContractNet(), new OptimalAllocator())) {
+    for (Allocator allocator : List.of(new NegotiatedAllocator(), new OptimalAllocator())) {
       assertEquals(List.of("fast"), chosen(allocator, List.of(slow, fast)));
     }
   }
@@ -201,7 +202,7 @@ class AllocatorContractTest {
         throughADoor(robots, new AllocationTask(1, 8, new Vec2(40, 5), new Vec2(50, 5), NOON));
 
     assertEquals(
-        List.of("b", "a"), Outcome.robots(policy.allocator().allocate(problem).getFirst()));
+        List.of("b", "a"), Outcome.robots(NegotiatedAllocator.of(policy).allocate(problem).getFirst()));
   }
 
   private static List<String> chosen(Allocator allocator, List<Candidate> robots) {
@@ -224,8 +225,7 @@ class AllocatorContractTest {
         NOON,
         Vec2.ZERO,
         new Vec2(80, 10),
-        doorway,
-        List.of(),
+        new Terrain(doorway, List.of()),
         List.of(task),
         List.of(),
         robots,
@@ -261,8 +261,7 @@ class AllocatorContractTest {
         NOON,
         Vec2.ZERO,
         new Vec2(80, 10),
-        PathLengths.STRAIGHT,
-        List.of(new Vec2(79, 6)),
+        new Terrain(PathLengths.STRAIGHT, List.of(new Vec2(79, 6))),
         List.of(job(1, 1, 40)),
         List.of(),
         List.of(

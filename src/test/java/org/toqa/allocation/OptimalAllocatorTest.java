@@ -42,9 +42,12 @@ class OptimalAllocatorTest {
     int cheaper = 0;
     for (int seed = 0; seed < 200; seed++) {
       AllocationProblem problem = Floors.random(seed, 4, 12, 0);
+      if (problem.waiting().stream().anyMatch(t -> TeamAllocator.isForSeveral(problem, t))) {
+        continue;
+      }
       Outcome optimal = new Outcome(problem, allocator.allocate(problem));
       for (Allocator other :
-          List.of(new NearestFreeRobot(), new ZoneAllocator(), new ContractNet())) {
+          List.of(new NearestFreeRobot(), new ZoneAllocator(), new NegotiatedAllocator())) {
         Outcome outcome = new Outcome(problem, other.allocate(problem));
         String where = "seed " + seed + ": " + other.getClass().getSimpleName();
         assertTrue(optimal.holders.size() >= outcome.holders.size(), where);

@@ -47,7 +47,7 @@ final class Outcome {
     Map<Long, AllocationTask> jobs = new HashMap<>();
     situation.waiting().forEach(j -> jobs.put(j.id(), j));
     situation.givenTasks().forEach(g -> jobs.put(g.task().id(), g.task()));
-    Costs costs = new Costs(situation);
+    Costs costs = new Costs(situation.terrain());
     double sum = 0;
     for (Map.Entry<Long, String> entry : holders.entrySet()) {
       AllocationTask task = requireNonNull(jobs.get(entry.getKey()));

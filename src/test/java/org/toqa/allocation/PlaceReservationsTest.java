@@ -119,7 +119,7 @@ class PlaceReservationsTest {
     private final Map<AllocationTask, List<String>> active = new HashMap<>();
 
     Rounds(Policy policy, List<AllocationTask> queue, Random random) {
-      this.allocator = policy.allocator();
+      this.allocator = NegotiatedAllocator.of(policy);
       this.queue = queue;
       this.random = random;
     }
@@ -169,7 +169,7 @@ class PlaceReservationsTest {
   /** By task. */
   private Map<Long, String> waiting(
       Policy policy, List<AllocationTask> tasks, List<PlaceUse> inUse) {
-    return policy.allocator().allocate(situation(NOON, tasks, List.of(), four, inUse)).stream()
+    return NegotiatedAllocator.of(policy).allocate(situation(NOON, tasks, List.of(), four, inUse)).stream()
         .filter(Decision.Unassigned.class::isInstance)
         .collect(toMap(Decision::task, d -> d.reason().english()));
   }

@@ -87,6 +87,6 @@ class ZoneTeamsTest {
 
   private static List<Decision> allocate(double load, double x, Candidate... robots) {
     return Outcome.inEnglish(
-        Policy.ZONES.allocator().allocate(situation(List.of(job(1, load, x)), List.of(robots))));
+        NegotiatedAllocator.of(Policy.ZONES).allocate(situation(List.of(job(1, load, x)), List.of(robots))));
   }
 }

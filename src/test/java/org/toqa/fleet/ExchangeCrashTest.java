@@ -18,6 +18,7 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
+import org.toqa.allocation.AllocationMethod;
 import org.toqa.allocation.AllocationProblem;
 import org.toqa.allocation.Availability;
 import org.toqa.allocation.Candidate;
@@ -144,7 +145,7 @@ class ExchangeCrashTest {
   @MethodSource("boundaries")
   void tasksAndRobotsAgreeAndAllIsDoneOnce(int write, boolean written) throws Exception {
     try (FleetStage stage =
-        new FleetStage(FLOOR, ChargingRules.USUAL, allocator, this::inANewLife)) {
+        new FleetStage(FLOOR, ChargingRules.USUAL, new AllocationMethod.Computed(allocator), this::inANewLife)) {
       stage.add("a", new Vec2(0.5, 0.5), "P1").setStuck(true);
       stage.add("b", new Vec2(11.5, 0.5), "P2").setStuck(true);
       stage.restart();

@@ -215,7 +215,7 @@ class FleetHealthTest {
             read,
             new JdbiScheduleStore(database.jdbi()),
             NO_LINKS,
-            Policy.OPTIMAL.allocator(),
+            Policy.OPTIMAL.method(),
             new FleetRules(Duration.ofSeconds(30), ChargingRules.USUAL, 1),
             () -> clock.instant(),
             NOW,

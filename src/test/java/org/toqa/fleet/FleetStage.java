@@ -11,7 +11,7 @@ import java.util.Objects;
 import java.util.function.Predicate;
 import java.util.function.UnaryOperator;
 import org.jspecify.annotations.Nullable;
-import org.toqa.allocation.Allocator;
+import org.toqa.allocation.AllocationMethod;
 import org.toqa.allocation.Policy;
 import org.toqa.fleet.manager.AgentFleet;
 import org.toqa.geometry.Vec2;
@@ -44,7 +44,7 @@ public final class FleetStage implements AutoCloseable {
 
   private final FloorMap floor;
   private final ChargingRules charging;
-  private final Allocator allocator;
+  private final AllocationMethod method;
   private final UnaryOperator<FleetStore> tamper;
   private final SingleThreadRuntime runtime = new SingleThreadRuntime();
   private final Map<String, ScriptedRobot> robots = new LinkedHashMap<>();
@@ -62,7 +62,7 @@ public final class FleetStage implements AutoCloseable {
   }
 
   FleetStage(FloorMap floor, ChargingRules charging) {
-    this(floor, charging, Policy.OPTIMAL.allocator(), UnaryOperator.identity());
+    this(floor, charging, Policy.OPTIMAL.method(), UnaryOperator.identity());
   }
 
   /**
@@ -71,11 +71,11 @@ public final class FleetStage implements AutoCloseable {
   public FleetStage(
       FloorMap floor,
       ChargingRules charging,
-      Allocator allocator,
+      AllocationMethod method,
       UnaryOperator<FleetStore> tamper) {
     this.floor = floor;
     this.charging = charging;
-    this.allocator = allocator;
+    this.method = method;
     this.tamper = tamper;
     this.fleet = open();
   }
@@ -130,7 +130,7 @@ public final class FleetStage implements AutoCloseable {
             watched(tamper.apply(store)),
             new JdbiScheduleStore(database.jdbi()),
             links,
-            allocator,
+            method,
             new FleetRules(REASSIGN_AFTER, charging, 1),
             () -> now,
             now,

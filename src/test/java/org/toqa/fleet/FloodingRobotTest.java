@@ -146,7 +146,7 @@ class FloodingRobotTest {
             store,
             new JdbiScheduleStore(database.jdbi()),
             new TcpRobotLinkFactory(new LinkTls(IdentityFile.open(keys)), false),
-            Policy.OPTIMAL.allocator(),
+            Policy.OPTIMAL.method(),
             new FleetRules(Duration.ofSeconds(30), ChargingRules.USUAL, 1),
             InstantSource.system(),
             now);

@@ -128,7 +128,7 @@ final class LiveFloor {
             store,
             new JdbiScheduleStore(database.jdbi()),
             links,
-            Policy.OPTIMAL.allocator(),
+            Policy.OPTIMAL.method(),
             new FleetRules(Duration.ofSeconds(30), ChargingRules.USUAL, speed),
             InstantSource.system(),
             clock.instant(),

@@ -27,7 +27,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.toqa.agent.DaemonThread;
-import org.toqa.allocation.OptimalAllocator;
+import org.toqa.allocation.Policy;
 import org.toqa.fleet.history.EventArchive.Entry;
 import org.toqa.fleet.history.EventArchive.Filter;
 import org.toqa.fleet.manager.AgentFleet;
@@ -99,7 +99,7 @@ class PairedFleetTest {
         new JdbiFleetStore(database.jdbi()),
         new JdbiScheduleStore(database.jdbi()),
         new TcpRobotLinkFactory(new LinkTls(IdentityFile.open(data)), false),
-        new OptimalAllocator(),
+        Policy.OPTIMAL.method(),
         new FleetRules(Duration.ofSeconds(30), ChargingRules.USUAL, 1),
         clock,
         clock.instant());

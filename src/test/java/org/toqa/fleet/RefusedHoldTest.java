@@ -35,7 +35,7 @@ class RefusedHoldTest {
       new FleetStage(
           HallFleetTest.FLOOR,
           ChargingRules.USUAL,
-          Policy.OPTIMAL.allocator(),
+          Policy.OPTIMAL.method(),
           store ->
               TamperedStore.of(
                   store,

@@ -26,7 +26,7 @@ class RobotAndEventTest {
         new FleetStage(
             HallFleetTest.FLOOR,
             ChargingRules.USUAL,
-            Policy.OPTIMAL.allocator(),
+            Policy.OPTIMAL.method(),
             store ->
                 TamperedStore.of(
                     store,

@@ -37,7 +37,7 @@ class TaskBatchTest {
         new FleetStage(
             FloorReader.read(Path.of("maps", "lab.yaml")),
             ChargingRules.USUAL,
-            Policy.OPTIMAL.allocator(),
+            Policy.OPTIMAL.method(),
             store ->
                 TamperedStore.of(
                     store,

@@ -52,7 +52,7 @@ class AcceptedTaskTest {
         new FleetStage(
             FloorReader.read(Path.of("maps", "lab.yaml")),
             ChargingRules.USUAL,
-            Policy.OPTIMAL.allocator(),
+            Policy.OPTIMAL.method(),
             store ->
                 TamperedStore.of(
                     store,

@@ -31,7 +31,7 @@ public abstract class SnapshotsInMemory implements SnapshotFeed {
   final ReentrantLock lock = new ReentrantLock();
   final Condition withChange = lock.newCondition();
   FleetSnapshot latest =
-      new FleetSnapshot(1, Hall.START, List.of(), List.of(), 0, List.of(), null, List.of());
+      new FleetSnapshot(1, Hall.START, List.of(), List.of(), 0, List.of(), null, Map.of(), List.of());
   List<FloorView> floors = List.of();
   List<Sentence> alerts = List.of();
   List<Sentence> failures = List.of();
@@ -158,6 +158,7 @@ public abstract class SnapshotsInMemory implements SnapshotFeed {
             (int) tasks.stream().filter(t -> t.state() == TaskState.QUEUED).count(),
             floors,
             pause,
+            Map.of(),
             alerts);
     withChange.signalAll();
   }

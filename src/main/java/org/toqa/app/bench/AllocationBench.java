@@ -9,7 +9,6 @@ import java.util.concurrent.Callable;
 import java.util.function.Supplier;
 import java.util.stream.IntStream;
 import org.jspecify.annotations.Nullable;
-import org.toqa.allocation.Allocator;
 import org.toqa.allocation.Assignment;
 import org.toqa.app.command.Arguments;
 import org.toqa.app.command.OptionalMapOption;
@@ -34,8 +33,10 @@ import picocli.CommandLine.Spec;
       "",
       "Prints JSON, by policy: delivered, meanSeconds and worstSeconds (from when a",
       "task arrives until it is delivered), joules and metres (all robots together),",
-      "roundP99Ms (processor time of an allocation round). Exits 1 if a task was not",
-      "delivered.",
+      "roundP99Ms (processor time of an allocation round). Of contract-net also, in",
+      "negotiations: bids, declined, silent, awards, awardsReturned, trades,",
+      "tradesVoid, tasksTraded, largestTrade (robots), joulesSaved, and how long one",
+      "took (meanMs, worstMs, simulated). Exits 1 if a task was not delivered.",
       "",
       "Paths are planned on the map. Robots drive at 0.25 m/s and do not block each",
       "other. Every third robot carries 10 kg, the others 5 kg; a fifth of the loads",
@@ -74,6 +75,8 @@ final class AllocationBench implements Callable<Integer> {
       description =
           "Percentage of robots that drive at half speed, 0 to 100 (default: ${DEFAULT-VALUE}).")
   private int slow;
+
+  @Mixin private BidderFaults bidders = new BidderFaults();
 
   @Mixin private OptionalMapOption map = new OptionalMapOption();
 
@@ -125,14 +128,19 @@ final class AllocationBench implements Callable<Integer> {
     tasks.check(arguments);
     arguments.requireBetween("--pressure", pressure, 1, 200);
     arguments.requireBetween("--slow", slow, 0, 100);
+    arguments.requireBetween("--silent", bidders.silent, 0, robots);
+    arguments.requireBetween("--slow-bidders", bidders.slow, 0, robots);
+    arguments.requireBetween("--bidder-delay", bidders.delay, 0, 10_000);
     if (solverSize != null) {
       arguments.requireBetween("--solver-size", solverSize, 1, 5000);
     }
     AllocationWorkload workload = workload(arguments);
     Map<String, AllocationRun.Report> reports = new LinkedHashMap<>();
-    for (Map.Entry<String, Allocator> entry : policy.allocators().entrySet()) {
-      reports.put(entry.getKey(), new AllocationRun(workload, entry.getValue(), exchange).run());
-    }
+    policy
+        .methods()
+        .forEach(
+            (word, method) ->
+                reports.put(word, new AllocationRun(workload, method, exchange, bidders).run()));
     Report report =
         new Report(
             robots,

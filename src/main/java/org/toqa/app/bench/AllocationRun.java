@@ -2,6 +2,8 @@ package org.toqa.app.bench;
 
 import static java.util.Objects.requireNonNull;
 
+import com.fasterxml.jackson.annotation.JsonInclude;
+import com.fasterxml.jackson.annotation.JsonUnwrapped;
 import java.time.Duration;
 import java.time.Instant;
 import java.util.ArrayDeque;
@@ -15,6 +17,7 @@ import java.util.Optional;
 import java.util.TreeMap;
 import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
+import org.toqa.allocation.AllocationMethod;
 import org.toqa.allocation.AllocationProblem;
 import org.toqa.allocation.AllocationProblem.GivenTask;
 import org.toqa.allocation.AllocationTask;
@@ -23,6 +26,9 @@ import org.toqa.allocation.Availability;
 import org.toqa.allocation.Candidate;
 import org.toqa.allocation.Decision;
 import org.toqa.allocation.Energy;
+import org.toqa.allocation.Negotiation;
+import org.toqa.allocation.NegotiationCounts;
+import org.toqa.allocation.Terrain;
 import org.toqa.app.bench.AllocationWorkload.RobotSpec;
 import org.toqa.geometry.Vec2;
 import org.toqa.grid.OccupancyGrid;
@@ -37,13 +43,23 @@ final class AllocationRun {
   private static final int MAX_JOBS_PER_ROUND = 200;
 
   private final AllocationWorkload workload;
-  private final Allocator allocator;
+  private final AllocationMethod method;
+  private final BidderFaults faults;
   private final boolean exchangeAllowed;
   private final Map<String, Robot> robots = new LinkedHashMap<>();
   private final Deque<AllocationTask> upcoming;
   private final Map<Long, AllocationTask> waiting = new TreeMap<>();
   private final List<Double> secondsToGoal = new ArrayList<>();
   private final List<Double> roundMillis = new ArrayList<>();
+  private final List<Double> negotiationMillis = new ArrayList<>();
+  private NegotiationCounts counts = NegotiationCounts.NONE;
+
+  /** A round that is not over: robots and tasks go on meanwhile. */
+  private @Nullable Pending pending;
+
+  /** Whether something has changed since the last round began. */
+  private boolean isRoundDue;
+
   private Instant now = AllocationWorkload.BEGIN;
   private double metres;
   private double joules;
@@ -55,14 +71,25 @@ final class AllocationRun {
    * @param joules energy of all robots together
    * @param metres driven by all robots together
    * @param roundP99Ms processor time of an allocation round, 99th percentile, milliseconds
+   * @param negotiations null where none were held
    */
+  @JsonInclude(JsonInclude.Include.NON_NULL)
   record Report(
       int delivered,
       double meanSeconds,
       double worstSeconds,
       double joules,
       double metres,
-      double roundP99Ms) {}
+      double roundP99Ms,
+      @Nullable Negotiations negotiations) {}
+
+  /**
+   * @param meanMs how long one took, simulated milliseconds
+   */
+  record Negotiations(
+      @JsonUnwrapped NegotiationCounts counts, double meanMs, double worstMs) {}
+
+  private record Pending(Instant end, List<Decision> decisions) {}
 
   private enum Phase {
     PARKED,
@@ -86,10 +113,16 @@ final class AllocationRun {
 
   /**
    * @param exchangeAllowed whether a task whose load is not picked up may go to another robot
+   * @param faults how robots' agents answer in negotiations
    */
-  AllocationRun(AllocationWorkload workload, Allocator allocator, boolean exchangeAllowed) {
+  AllocationRun(
+      AllocationWorkload workload,
+      AllocationMethod method,
+      boolean exchangeAllowed,
+      BidderFaults faults) {
     this.workload = workload;
-    this.allocator = allocator;
+    this.method = method;
+    this.faults = faults;
     this.exchangeAllowed = exchangeAllowed;
     this.upcoming = new ArrayDeque<>(workload.jobs());
     workload.robots().forEach(worker -> robots.put(worker.name(), new Robot(worker)));
@@ -99,10 +132,16 @@ final class AllocationRun {
     Optional<Instant> next = nextEvent();
     while (next.isPresent()) {
       now = next.get();
-      boolean due = acceptArrivals();
-      due |= endPaths();
-      if (due) {
-        allocate();
+      isRoundDue |= acceptArrivals();
+      isRoundDue |= endPaths();
+      if (pending != null && !pending.end().isAfter(now)) {
+        List<Decision> decisions = pending.decisions();
+        pending = null;
+        apply(decisions);
+      }
+      if (isRoundDue && pending == null) {
+        isRoundDue = false;
+        beginRound();
       }
       next = nextEvent();
     }
@@ -113,7 +152,15 @@ final class AllocationRun {
         seconds.max(),
         joules,
         metres,
-        timings(roundMillis).percentile(0.99));
+        timings(roundMillis).percentile(0.99),
+        negotiations());
+  }
+
+  private @Nullable Negotiations negotiations() {
+    Percentiles millis = timings(negotiationMillis);
+    return negotiationMillis.isEmpty()
+        ? null
+        : new Negotiations(counts, millis.mean(), millis.max());
   }
 
   private static Percentiles timings(List<Double> values) {
@@ -124,7 +171,8 @@ final class AllocationRun {
     Stream<Instant> ends =
         robots.values().stream().flatMap(r -> Stream.ofNullable(r.path)).map(TimedPath::end);
     Stream<Instant> arrival = Stream.ofNullable(upcoming.peek()).map(AllocationTask::waitsFrom);
-    return Stream.concat(ends, arrival).min(Comparator.naturalOrder());
+    Stream<Instant> roundEnd = Stream.ofNullable(pending).map(Pending::end);
+    return Stream.of(ends, arrival, roundEnd).flatMap(time -> time).min(Comparator.naturalOrder());
   }
 
   private boolean acceptArrivals() {
@@ -180,18 +228,34 @@ final class AllocationRun {
     }
   }
 
-  private void allocate() {
-    AllocationProblem situation = situation();
+  private void beginRound() {
+    AllocationProblem problem = situation();
     double begin = ProcessorTime.millis();
-    List<Decision> decisions = allocator.allocate(situation);
-    roundMillis.add(ProcessorTime.millis() - begin);
-    Map<Robot, AllocationTask> begun = new LinkedHashMap<>();
-    for (Decision decision : decisions) {
-      if (decision instanceof Decision.Assigned(long id, List<String> names, var _)) {
-        AllocationTask job = Optional.ofNullable(waiting.remove(id)).orElseGet(() -> takeBack(id));
-        begun.put(requireNonNull(robots.get(names.getFirst())), job);
+    switch (method) {
+      case AllocationMethod.Computed(Allocator allocator) -> {
+        List<Decision> decisions = allocator.allocate(problem);
+        roundMillis.add(ProcessorTime.millis() - begin);
+        apply(decisions);
+      }
+      case AllocationMethod.Negotiated _ -> {
+        NegotiatedRound round = new NegotiatedRound(roundMillis.size(), problem, faults);
+        Negotiation over = round.hold();
+        roundMillis.add(ProcessorTime.millis() - begin);
+        negotiationMillis.add((double) Duration.between(now, round.end()).toMillis());
+        counts = counts.plus(over.counts());
+        pending = new Pending(round.end(), over.decisions());
       }
     }
+  }
+
+  /** What has become impossible meanwhile is for the next round. */
+  private void apply(List<Decision> decisions) {
+    boolean areMovesPossible = decisions.stream().allMatch(this::isMovePossible);
+    Map<Robot, AllocationTask> begun = new LinkedHashMap<>();
+    Stream.concat( // moves first: they set robots free
+            decisions.stream().filter(d -> !waiting.containsKey(d.task()) && areMovesPossible),
+            decisions.stream().filter(d -> waiting.containsKey(d.task())))
+        .forEach(decision -> apply(decision, begun));
     begun.forEach(
         (robot, job) -> {
           stop(robot);
@@ -200,13 +264,31 @@ final class AllocationRun {
         });
   }
 
+  private boolean isMovePossible(Decision decision) {
+    return waiting.containsKey(decision.task())
+        || holder(decision.task()).filter(robot -> robot.phase == Phase.TO_LOAD).isPresent();
+  }
+
+  private void apply(Decision decision, Map<Robot, AllocationTask> begun) {
+    if (decision instanceof Decision.Assigned(long id, List<String> names, var _)) {
+      Robot robot = requireNonNull(robots.get(names.getFirst()));
+      if (!waiting.containsKey(id)) {
+        begun.put(robot, takeBack(id));
+      } else if (robot.job == null) {
+        begun.put(robot, requireNonNull(waiting.remove(id)));
+      } else {
+        isRoundDue = true;
+      }
+    }
+  }
+
+  private Optional<Robot> holder(long task) {
+    return robots.values().stream().filter(r -> r.job != null && r.job.id() == task).findFirst();
+  }
+
   /** From the robot that drives to the load; it drives home instead. */
   private AllocationTask takeBack(long id) {
-    Robot robot =
-        robots.values().stream()
-            .filter(r -> r.job != null && r.job.id() == id)
-            .findFirst()
-            .orElseThrow();
+    Robot robot = holder(id).orElseThrow();
     AllocationTask job = requireNonNull(robot.job);
     stop(robot);
     robot.job = null;
@@ -226,8 +308,7 @@ final class AllocationRun {
         now,
         grid.origin(),
         grid.origin().plus(size),
-        workload.distances(),
-        List.of(),
+        new Terrain(workload.distances(), List.of()),
         waiting.values().stream().limit(MAX_JOBS_PER_ROUND).toList(),
         given,
         robots.values().stream().map(this::candidate).toList(),

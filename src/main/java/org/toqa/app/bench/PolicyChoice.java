@@ -3,7 +3,7 @@ package org.toqa.app.bench;
 import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.Map;
-import org.toqa.allocation.Allocator;
+import org.toqa.allocation.AllocationMethod;
 import org.toqa.allocation.NearestFreeRobot;
 import org.toqa.allocation.Policy;
 import org.toqa.app.command.WordConverter;
@@ -17,15 +17,15 @@ enum PolicyChoice {
   OPTIMAL;
 
   /** By name, in the order in which they are measured. */
-  Map<String, Allocator> allocators() {
-    Map<String, Allocator> allocators = new LinkedHashMap<>();
+  Map<String, AllocationMethod> methods() {
+    Map<String, AllocationMethod> methods = new LinkedHashMap<>();
     if (this == ALL || this == NEAREST) {
-      allocators.put("nearest", new NearestFreeRobot());
+      methods.put("nearest", new AllocationMethod.Computed(new NearestFreeRobot()));
     }
     Arrays.stream(Policy.values())
         .filter(policy -> this == ALL || name().equals(policy.name()))
-        .forEach(policy -> allocators.put(policy.word(), policy.allocator()));
-    return allocators;
+        .forEach(policy -> methods.put(policy.word(), policy.method()));
+    return methods;
   }
 
   /** Reads what a user types. */

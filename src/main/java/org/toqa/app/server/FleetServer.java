@@ -156,7 +156,7 @@ public final class FleetServer implements AutoCloseable {
             store,
             schedules,
             ServerLinks.open(configuration, simulated, clock, parts),
-            configuration.allocationPolicy().allocator(),
+            configuration.allocationPolicy().method(),
             new FleetRules(
                 configuration.reassignAfter(),
                 configuration.charging(),

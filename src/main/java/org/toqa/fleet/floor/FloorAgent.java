@@ -211,7 +211,10 @@ public final class FloorAgent extends AbstractBehavior<FloorMessage> {
     ActorRef<RobotMessage> agent =
         getContext()
             .spawn(
-                RobotAgent.of(record, robotEvents, state.store, links, state.now, state.runtime),
+                state.runtime.agent(
+                    "robot-" + record.name(),
+                    RobotAgent.of(
+                        record, robotEvents, state.store, links, state.now, state.runtime)),
                 "robot-" + ++joined);
     FloorRobot robot =
         new FloorRobot(record, settings, agent, new StoreLimit(health, () -> state.now), state.now);

@@ -52,6 +52,8 @@ final class OperatorCommandHandler {
     if (isElsewhere || robot.reported.alert() != null) {
       robotEvents.forgetAlert(robot);
       robot.agent.tell(new RobotMessage.Reconnect(m.robot()));
+    } else {
+      robot.agent.tell(new RobotMessage.RecordChanged(m.robot()));
     }
     reports.send();
     m.replyTo().tell(StatusReply.success(new Answer.Accepted<>(reports.view(robot))));

@@ -19,7 +19,7 @@ import org.apache.pekko.actor.typed.ActorSystem;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
-import org.toqa.allocation.Allocator;
+import org.toqa.allocation.AllocationMethod;
 import org.toqa.fleet.Answer;
 import org.toqa.fleet.BatchAnswer;
 import org.toqa.fleet.Fleet;
@@ -94,11 +94,11 @@ public final class AgentFleet implements Fleet, AutoCloseable {
       FleetStore store,
       ScheduleStore scheduleStore,
       RobotLinkFactory links,
-      Allocator allocator,
+      AllocationMethod method,
       FleetRules rules,
       InstantSource clock,
       Instant now) {
-    this(floors, store, scheduleStore, links, allocator, rules, clock, now, FleetRuntime.USUAL);
+    this(floors, store, scheduleStore, links, method, rules, clock, now, FleetRuntime.USUAL);
   }
 
   public AgentFleet(
@@ -106,7 +106,7 @@ public final class AgentFleet implements Fleet, AutoCloseable {
       FleetStore store,
       ScheduleStore scheduleStore,
       RobotLinkFactory links,
-      Allocator allocator,
+      AllocationMethod method,
       FleetRules rules,
       InstantSource clock,
       Instant now,
@@ -122,7 +122,7 @@ public final class AgentFleet implements Fleet, AutoCloseable {
                 floors,
                 store,
                 links,
-                allocator,
+                method,
                 rules,
                 clock,
                 now,

@@ -12,6 +12,7 @@ import java.util.Objects;
 import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.Executor;
 import java.util.stream.Collectors;
 import org.apache.pekko.actor.typed.ActorRef;
 import org.jspecify.annotations.Nullable;
@@ -20,11 +21,12 @@ import org.slf4j.LoggerFactory;
 import org.toqa.allocation.AllocationProblem;
 import org.toqa.allocation.AllocationProblem.GivenTask;
 import org.toqa.allocation.AllocationTask;
-import org.toqa.allocation.Allocator;
 import org.toqa.allocation.Availability;
 import org.toqa.allocation.Candidate;
 import org.toqa.allocation.Decision;
+import org.toqa.allocation.NegotiationLine;
 import org.toqa.allocation.PlaceUse;
+import org.toqa.allocation.Terrain;
 import org.toqa.allocation.WaitExplainer;
 import org.toqa.fleet.TaskView;
 import org.toqa.fleet.floor.FloorMessage;
@@ -48,8 +50,11 @@ final class AllocationRounds {
   /** Then other robots may be free, narrower ones, and the load or its goal elsewhere. */
   private static final Duration ROOM_RETRY = Duration.ofMinutes(1);
 
+  /** Whoever has not answered in a round may do so in one that is so much later. */
+  private static final Duration NEXT_ROUND = Duration.ofSeconds(5);
+
   private final FleetState fleet;
-  private final Allocator allocator;
+  private final RoundDecider decider;
   private final PathQuery paths;
   private final ActorRef<ManagerMessage> self;
   private final TaskExchanges exchanges = new TaskExchanges();
@@ -69,6 +74,11 @@ final class AllocationRounds {
   /** Floors with a running round. */
   private final Set<String> deciding = new HashSet<>();
 
+  /** By floor whose last round was not answered by all, when the next one is due. */
+  private final Map<String, Instant> nextRounds = new HashMap<>();
+
+  private final NegotiationLines negotiations = new NegotiationLines();
+
   /** By floor: tasks of its running round of which something else was ordered since it began. */
   private final Map<String, Set<Long>> editedInRound = new HashMap<>();
 
@@ -80,9 +90,9 @@ final class AllocationRounds {
   private record NoRoom(Sentence why, Instant until) {}
 
   AllocationRounds(
-      FleetState fleet, Allocator allocator, PathQuery paths, ActorRef<ManagerMessage> self) {
+      FleetState fleet, RoundDecider decider, PathQuery paths, ActorRef<ManagerMessage> self) {
     this.fleet = fleet;
-    this.allocator = allocator;
+    this.decider = decider;
     this.paths = paths;
     this.self = self;
   }
@@ -115,6 +125,11 @@ final class AllocationRounds {
   /** Lets the allocator decide, on a thread of its own, on each floor where it is time. */
   void beginDueRounds() {
     endNoRooms();
+    nextRounds
+        .entrySet()
+        .removeIf(
+            next ->
+                !fleet.now.isBefore(next.getValue()) && fleet.dueFloors.add(next.getKey()));
     for (String floor : List.copyOf(fleet.dueFloors)) {
       if (fleet.reports.containsKey(floor) && !deciding.contains(floor)) {
         fleet.dueFloors.remove(floor);
@@ -176,25 +191,27 @@ final class AllocationRounds {
             .flatMap(job -> fleet.queue.get(job.id()).stream())
             .map(TaskQueue.Queued::mission)
             .collect(Collectors.toMap(Mission::id, mission -> mission));
+    Executor executor = fleet.runtime.threadPerTaskExecutor("allocation-" + floor.name());
     var _ =
-        CompletableFuture.completedFuture(null)
-            .thenComposeAsync(
-                _ -> runRound(floor, problem, missions),
-                fleet.runtime.threadPerTaskExecutor("allocation-" + floor.name()))
+        decider
+            .decide(floor.name(), problem, executor, fleet.now)
+            .thenComposeAsync(round -> withTeams(floor, problem, missions, round), executor)
             .whenComplete(
                 (decided, failure) -> self.tell(roundMessage(floor.name(), decided, failure)));
   }
 
   /**
-   * Allocates on a thread of its own, and asks for room for the teams that came out.
+   * Asks for room for the teams that came out.
    *
    * @param missions the problem's waiting tasks, by task
    */
-  private CompletableFuture<ManagerMessage.AllocationDecided> runRound(
-      FloorMap floor, AllocationProblem problem, Map<Long, Mission> missions) {
-    List<Decision> decisions = allocator.allocate(problem);
+  private CompletableFuture<ManagerMessage.AllocationDecided> withTeams(
+      FloorMap floor,
+      AllocationProblem problem,
+      Map<Long, Mission> missions,
+      DecidedRound round) {
     Map<Long, CompletableFuture<TeamFinding>> teams = new HashMap<>();
-    for (Decision decision : decisions) {
+    for (Decision decision : round.decisions()) {
       if (decision instanceof Decision.Assigned(long id, List<String> chosen, Sentence _)) {
         Mission mission = missions.get(id);
         if (mission != null && chosen.size() > 1) {
@@ -207,7 +224,7 @@ final class AllocationRounds {
             _ ->
                 new ManagerMessage.AllocationDecided(
                     floor.name(),
-                    decisions,
+                    round,
                     teams.entrySet().stream()
                         .collect(
                             Collectors.toMap(Map.Entry::getKey, team -> team.getValue().join()))));
@@ -248,8 +265,8 @@ final class AllocationRounds {
         fleet.clock.instant(),
         grid.origin(),
         grid.origin().plus(size),
-        requireNonNull(fleet.distances.get(floor.name())),
-        FleetState.chargerPositions(floor),
+        new Terrain(
+            requireNonNull(fleet.distances.get(floor.name())), FleetState.chargerPositions(floor)),
         jobs,
         given,
         robotsHere,
@@ -264,18 +281,23 @@ final class AllocationRounds {
       return decided;
     }
     log.error("{}: a round of allocation failed.", floor, failure);
-    return new ManagerMessage.AllocationDecided(floor, List.of(), Map.of());
+    return new ManagerMessage.AllocationDecided(
+        floor, DecidedRound.of(List.of()), Map.of());
   }
 
   /** Gives the tasks to robots that are still free; the rest is for the next round. */
   void allocationDecided(ManagerMessage.AllocationDecided m) {
     deciding.remove(m.floor());
     fleet.changed = true;
+    addLines(m.round());
+    if (m.round().isUnfinished()) {
+      nextRounds.put(m.floor(), fleet.now.plus(NEXT_ROUND));
+    }
     ActorRef<FloorMessage> floor = requireNonNull(fleet.floors.get(m.floor()));
     Set<String> free = exchangeTasks(floor, m);
     Set<Long> edited = Objects.requireNonNullElse(editedInRound.remove(m.floor()), Set.of());
     Map<Long, Sentence> waiting = new HashMap<>();
-    for (Decision decision : m.decisions()) {
+    for (Decision decision : m.round().decisions()) {
       switch (decision) {
         case Decision d when edited.contains(d.task()) -> fleet.dueFloors.add(m.floor());
         case Decision.Assigned(long id, List<String> chosen, Sentence why) ->
@@ -293,6 +315,17 @@ final class AllocationRounds {
     }
     tasksWithoutRoom.keySet().removeIf(task -> fleet.queue.get(task).isEmpty());
     reasons.put(m.floor(), waiting);
+  }
+
+  private void addLines(DecidedRound round) {
+    negotiations.add(round.lines(), Duration.between(fleet.now, fleet.clock.instant()));
+    negotiations.retain(
+        task -> fleet.queue.get(task).isPresent() || fleet.floorOf(task).isPresent());
+  }
+
+  /** What was last said of tasks by robots' agents. */
+  Map<Long, List<NegotiationLine>> negotiations() {
+    return negotiations.byTask();
   }
 
   /**
@@ -336,7 +369,7 @@ final class AllocationRounds {
             .map(Candidate::robot)
             .collect(Collectors.toCollection(HashSet::new));
     List<FloorMessage.Move> moves =
-        exchanges.moves(m.decisions(), fleet.assignedTasks(m.floor()), free, fleet.now);
+        exchanges.moves(m.round().decisions(), fleet.assignedTasks(m.floor()), free, fleet.now);
     if (!moves.isEmpty()) {
       floor.tell(new FloorMessage.ExchangeTasks(moves));
       moves.forEach(move -> free.add(move.from()));

@@ -18,7 +18,7 @@ import org.apache.pekko.actor.typed.javadsl.Behaviors;
 import org.apache.pekko.actor.typed.javadsl.Receive;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
-import org.toqa.allocation.Allocator;
+import org.toqa.allocation.AllocationMethod;
 import org.toqa.fleet.FleetRules;
 import org.toqa.fleet.FleetRuntime;
 import org.toqa.fleet.FleetStore;
@@ -53,6 +53,7 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
   private final StoreHealthCheck storeHealth;
   private final HoldCommandHandler holdCommands;
   private final LateTaskReporter lateTasks;
+  private final RoundDecider decider;
   private final AllocationRounds rounds;
   private final SnapshotPublisher snapshotPublisher;
   private final TaskCommandHandler taskCommands;
@@ -65,7 +66,7 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
       List<FloorMap> floors,
       FleetStore store,
       RobotLinkFactory links,
-      Allocator allocator,
+      AllocationMethod method,
       FleetRules rules,
       InstantSource clock,
       Instant now,
@@ -84,7 +85,7 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
                     floors,
                     store,
                     links,
-                    allocator,
+                    method,
                     rules,
                     clock,
                     now,
@@ -99,7 +100,7 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
       List<FloorMap> floorMaps,
       FleetStore store,
       RobotLinkFactory links,
-      Allocator allocator,
+      AllocationMethod method,
       FleetRules rules,
       InstantSource clock,
       Instant now,
@@ -135,7 +136,11 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
                 .collect(Collectors.toUnmodifiableSet()),
             paths);
     this.lateTasks = new LateTaskReporter(fleet, new DeadlineWatch(rules.pace(), toldBefore), self);
-    this.rounds = new AllocationRounds(fleet, allocator, paths, self);
+    health.expectStart();
+    this.decider =
+        new RoundDecider(
+            _ -> method, context.spawn(NegotiationAgent.of(now, runtime), "negotiation"));
+    this.rounds = new AllocationRounds(fleet, decider, paths, self);
     this.snapshotPublisher =
         new SnapshotPublisher(fleet, rounds, lateTasks, holdCommands, storeHealth, latest);
     this.taskCommands =
@@ -145,7 +150,7 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
             lateTasks,
             storeHealth,
             validator,
-            allocator,
+            decider,
             paths,
             snapshotPublisher,
             pendingSubmissions,
@@ -353,6 +358,7 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
     }
     floorTicks.tick(fleet.floors.keySet(), now);
     health.recordFloorTime(floorTicks.floorTime());
+    decider.tick(now);
     rounds.beginDueRounds();
     lateTasks.check(now);
   }

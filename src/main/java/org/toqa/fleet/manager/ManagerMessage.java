@@ -12,7 +12,6 @@ import org.apache.pekko.actor.typed.ActorRef;
 import org.apache.pekko.dispatch.ControlMessage;
 import org.apache.pekko.pattern.StatusReply;
 import org.jspecify.annotations.Nullable;
-import org.toqa.allocation.Decision;
 import org.toqa.fleet.Answer;
 import org.toqa.fleet.BatchAnswer;
 import org.toqa.fleet.Hold;
@@ -264,10 +263,9 @@ public sealed interface ManagerMessage {
   /**
    * A round of allocation is over.
    *
-   * @param decisions none where it failed
    * @param teams by task: whether the robots that were chosen to carry it together have room
    */
-  record AllocationDecided(String floor, List<Decision> decisions, Map<Long, TeamFinding> teams)
+  record AllocationDecided(String floor, DecidedRound round, Map<Long, TeamFinding> teams)
       implements ManagerMessage {}
 
   /**

@@ -78,6 +78,7 @@ final class SnapshotPublisher {
             fleet.queue.size(),
             floorViews(),
             holds.pause(),
+            rounds.negotiations(),
             List.copyOf(alerts)));
   }
 

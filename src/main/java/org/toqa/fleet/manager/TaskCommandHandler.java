@@ -13,7 +13,6 @@ import org.apache.pekko.actor.typed.ActorRef;
 import org.apache.pekko.pattern.StatusReply;
 import org.jspecify.annotations.Nullable;
 import org.toqa.allocation.AllocationProblem;
-import org.toqa.allocation.Allocator;
 import org.toqa.fleet.Answer;
 import org.toqa.fleet.BatchAnswer;
 import org.toqa.fleet.EventRecord;
@@ -45,7 +44,7 @@ final class TaskCommandHandler {
   private final LateTaskReporter lateTasks;
   private final StoreHealthCheck storeHealth;
   private final OrderValidator validator;
-  private final Allocator allocator;
+  private final RoundDecider decider;
   private final ActorRef<ManagerMessage> self;
   private final TaskSubmitter submitter;
   private final PathQuery paths;
@@ -58,7 +57,7 @@ final class TaskCommandHandler {
       LateTaskReporter lateTasks,
       StoreHealthCheck storeHealth,
       OrderValidator validator,
-      Allocator allocator,
+      RoundDecider decider,
       PathQuery paths,
       SnapshotPublisher snapshots,
       PendingSubmissions pendingSubmissions,
@@ -68,7 +67,7 @@ final class TaskCommandHandler {
     this.lateTasks = lateTasks;
     this.storeHealth = storeHealth;
     this.validator = validator;
-    this.allocator = allocator;
+    this.decider = decider;
     this.paths = paths;
     this.snapshots = snapshots;
     this.self = self;
@@ -238,8 +237,8 @@ final class TaskCommandHandler {
             List.of(),
             fleet.candidates(floor.name()));
     var _ =
-        new TaskPreviewer(allocator, paths, floor.grid(), request.check())
-            .preview(task, problem)
+        new TaskPreviewer(decider, paths, floor.grid(), request.check())
+            .preview(task, problem, fleet.now)
             .whenComplete(
                 (preview, failure) ->
                     request

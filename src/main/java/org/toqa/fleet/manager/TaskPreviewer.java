@@ -1,9 +1,9 @@
 package org.toqa.fleet.manager;
 
+import java.time.Instant;
 import java.util.List;
 import java.util.concurrent.CompletableFuture;
 import org.toqa.allocation.AllocationProblem;
-import org.toqa.allocation.Allocator;
 import org.toqa.allocation.Candidate;
 import org.toqa.allocation.Decision;
 import org.toqa.allocation.TeamSize;
@@ -19,7 +19,7 @@ import org.toqa.mission.TransportTask;
  * computed on the asking one.
  */
 final class TaskPreviewer {
-  private final Allocator allocator;
+  private final RoundDecider decider;
   private final PathQuery paths;
   private final OccupancyGrid grid;
   private final OrderChecks.Check check;
@@ -28,8 +28,8 @@ final class TaskPreviewer {
    * @param grid of the task's floor
    * @param check of the preview
    */
-  TaskPreviewer(Allocator allocator, PathQuery paths, OccupancyGrid grid, OrderChecks.Check check) {
-    this.allocator = allocator;
+  TaskPreviewer(RoundDecider decider, PathQuery paths, OccupancyGrid grid, OrderChecks.Check check) {
+    this.decider = decider;
     this.paths = paths;
     this.grid = grid;
     this.check = check;
@@ -37,10 +37,13 @@ final class TaskPreviewer {
 
   /**
    * @param problem of the floor, where this task is the only one that waits
+   * @param now of the time that ticks bring
    */
-  CompletableFuture<TaskPreview> preview(TransportTask task, AllocationProblem problem) {
+  CompletableFuture<TaskPreview> preview(
+      TransportTask task, AllocationProblem problem, Instant now) {
     return check
-        .run(() -> allocator.allocate(problem).getFirst())
+        .run(() -> decider.inquire(task.floor(), problem, Runnable::run, now))
+        .thenCompose(decision -> decision)
         .thenCompose(decision -> preview(task, problem, decision));
   }
 

@@ -52,7 +52,11 @@ public final class RobotAgent extends AbstractBehavior<RobotMessage> {
   private final DriveSender drives;
   private final ClearSender clears;
   private final ReportForwarder reports;
+  private final TaskBidder bidder;
   private @Nullable Hello hello;
+
+  /** What the robot said last of itself by the present link. */
+  private AgentMessage.@Nullable State lastState;
 
   private Instant now;
   private final SilenceDetector silence;
@@ -97,6 +101,7 @@ public final class RobotAgent extends AbstractBehavior<RobotMessage> {
     this.drives = new DriveSender(robot.name(), store, writer, commands, floor, context.getSelf());
     this.clears = new ClearSender(robot.name(), commands::send);
     this.reports = new ReportForwarder(robot.name(), floor, health, () -> this.now);
+    this.bidder = new TaskBidder(runtime.threadPerTaskExecutor("bids-" + robot.name()));
     this.inbox = openInbox(context.getSelf());
     this.link = links.open(robot.address(), inbox);
   }
@@ -129,6 +134,9 @@ public final class RobotAgent extends AbstractBehavior<RobotMessage> {
           commands.send(m.hold() ? ServerMessage.Hold::new : ServerMessage.Resume::new);
       case RobotMessage.Clear m -> clear(m);
       case RobotMessage.Locate m -> commands.send(n -> new ServerMessage.Locate(n, m.pose()));
+      case RobotMessage.Negotiate m ->
+          bidder.answer(m.message(), robot, hello, lastState, m.replyTo());
+      case RobotMessage.RecordChanged m -> robot = m.robot();
       case RobotMessage.Acknowledge m -> send(new ServerMessage.AckDone(m.drive()));
       case RobotMessage.InboxFilled m -> takeInbox(m.inbox());
       case RobotMessage.LinkOpened m -> connected(m.hello());
@@ -185,6 +193,7 @@ public final class RobotAgent extends AbstractBehavior<RobotMessage> {
         said.task(),
         said.phase());
     hello = said;
+    lastState = null;
     commands.clear(); // what was meant for the last connection: the floor decides anew
     unanswered.clear();
     reports.setConnection(said);
@@ -215,7 +224,10 @@ public final class RobotAgent extends AbstractBehavior<RobotMessage> {
       floor.tell(new RobotEvent.HeardAgain(robot.name()));
     }
     switch (message) {
-      case AgentMessage.State state -> reports.receive(state);
+      case AgentMessage.State state -> {
+        lastState = state;
+        reports.receive(state);
+      }
       case AgentMessage.Done done -> phaseEnded(done);
       case AgentMessage.Reject reject -> rejected(reject);
       case AgentMessage.Ack(long seq) -> acknowledged(seq);

@@ -28,6 +28,7 @@ public final class RobotAgents implements Extension {
       };
 
   private final Map<ActorRef<RobotMessage>, Entry> agents = new ConcurrentHashMap<>();
+  private final Map<String, ActorRef<RobotMessage>> byRobot = new ConcurrentHashMap<>();
 
   /**
    * @param dueTick the time that it was told and has not taken yet
@@ -42,10 +43,20 @@ public final class RobotAgents implements Extension {
 
   void add(RobotRecord robot, ActorRef<RobotMessage> agent) {
     agents.put(agent, new Entry(robot, new AtomicReference<>()));
+    byRobot.put(robot.name(), agent);
   }
 
   void remove(ActorRef<RobotMessage> agent) {
     agents.remove(agent);
+    byRobot.values().remove(agent);
+  }
+
+  /** Tells the robot's agent; nothing where there is none. */
+  public void tell(String robot, RobotMessage message) {
+    ActorRef<RobotMessage> agent = byRobot.get(robot);
+    if (agent != null) {
+      agent.tell(message);
+    }
   }
 
   /** Time goes on: they ping their robots, and notice who is silent. */

@@ -5,7 +5,9 @@ import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.Supplier;
+import org.apache.pekko.actor.typed.ActorRef;
 import org.jspecify.annotations.Nullable;
+import org.toqa.allocation.NegotiationMessage;
 import org.toqa.fleet.FleetStore.StoredDrive;
 import org.toqa.fleet.RobotRecord;
 import org.toqa.geometry.Pose;
@@ -76,6 +78,13 @@ public sealed interface RobotMessage {
   record Clear(Set<String> reasons) implements RobotMessage {}
 
   record Locate(Pose pose) implements RobotMessage {}
+
+  /** A floor announces tasks, or proposes a contract. */
+  record Negotiate(NegotiationMessage message, ActorRef<NegotiationMessage.Reply> replyTo)
+      implements RobotMessage {}
+
+  /** A person has entered something else of the robot; its address is the same. */
+  record RecordChanged(RobotRecord robot) implements RobotMessage {}
 
   /** What followed from the end of this drive is stored. */
   record Acknowledge(long drive) implements RobotMessage {}

@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import java.time.Duration;
 import java.time.Instant;
 import java.util.List;
+import java.util.Map;
 import java.util.Objects;
 import org.junit.jupiter.api.Test;
 import org.toqa.fleet.FleetSnapshot;
@@ -103,7 +104,7 @@ class FleetMeterTest {
   }
 
   private static FleetSnapshot snapshot(List<RobotView> robots, List<TaskView> tasks) {
-    return new FleetSnapshot(1, NOON, robots, tasks, 0, List.of(), null, List.of());
+    return new FleetSnapshot(1, NOON, robots, tasks, 0, List.of(), null, Map.of(), List.of());
   }
 
   private static TaskView task(long id, TaskState state) {

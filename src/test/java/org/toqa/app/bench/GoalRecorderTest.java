@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import java.time.Instant;
 import java.util.List;
+import java.util.Map;
 import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.Test;
 import org.toqa.fleet.FleetSnapshot;
@@ -69,7 +70,7 @@ class GoalRecorderTest {
   }
 
   private void observe(List<RobotView> robots, List<TaskView> tasks) {
-    recorder.observe(new FleetSnapshot(1, NOON, robots, tasks, 0, List.of(), null, List.of()));
+    recorder.observe(new FleetSnapshot(1, NOON, robots, tasks, 0, List.of(), null, Map.of(), List.of()));
   }
 
   /** From the middle of a cell of row 0 to another one's. */

@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import java.time.Instant;
 import java.util.List;
+import java.util.Map;
 import org.junit.jupiter.api.Test;
 import org.toqa.fleet.FleetSnapshot;
 import org.toqa.fleet.TaskView;
@@ -27,7 +28,7 @@ class TaskLoadGeneratorTest {
             task(2, TaskState.ASSIGNED),
             task(1, TaskState.DONE));
     FleetSnapshot snapshot =
-        new FleetSnapshot(1, NOON, List.of(), shown, 240, List.of(), null, List.of());
+        new FleetSnapshot(1, NOON, List.of(), shown, 240, List.of(), null, Map.of(), List.of());
 
     assertEquals(242, TaskLoadGenerator.openTasks(snapshot)); // 240 queued, and 3 and 2
   }

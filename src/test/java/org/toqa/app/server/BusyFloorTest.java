@@ -121,7 +121,7 @@ class BusyFloorTest {
             store,
             new JdbiScheduleStore(database.jdbi()),
             new WatchedLinks(links),
-            Policy.OPTIMAL.allocator(),
+            Policy.OPTIMAL.method(),
             new FleetRules(Duration.ofSeconds(30), ChargingRules.USUAL, SPEED),
             InstantSource.system(),
             clock.instant(),

@@ -93,7 +93,7 @@ class SimulatedDocksTest {
             store,
             new JdbiScheduleStore(database.jdbi()),
             new TcpRobotLinkFactory(new LinkTls(IdentityFile.open(folder)), false),
-            Policy.OPTIMAL.allocator(),
+            Policy.OPTIMAL.method(),
             new FleetRules(Duration.ofSeconds(30), ChargingRules.USUAL, SPEED),
             InstantSource.system(),
             clock.instant());

@@ -72,7 +72,7 @@ class SchedulerTest {
     return new FleetStage(
         FloorReader.read(Path.of("maps", "lab.yaml")),
         ChargingRules.USUAL,
-        Policy.OPTIMAL.allocator(),
+        Policy.OPTIMAL.method(),
         tamper);
   }
 

@@ -1,0 +1,39 @@
+package org.toqa.fleet.manager;
+
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.function.LongPredicate;
+import org.toqa.allocation.NegotiationLine;
+
+/** What was last said of tasks in negotiations. Confined to one agent. */
+final class NegotiationLines {
+  /** Of one task. */
+  private static final int LINES_KEPT = 20;
+
+  private final Map<Long, List<NegotiationLine>> byTask = new HashMap<>();
+
+  /**
+   * @param later by how much the history's clock is ahead of the lines'
+   */
+  void add(List<NegotiationLine> lines, Duration later) {
+    for (NegotiationLine line : lines) {
+      List<NegotiationLine> kept =
+          new ArrayList<>(byTask.getOrDefault(line.task(), List.of()));
+      kept.add(new NegotiationLine(line.task(), line.at().plus(later), line.text()));
+      byTask.put(
+          line.task(), List.copyOf(kept.subList(Math.max(0, kept.size() - LINES_KEPT), kept.size())));
+    }
+  }
+
+  void retain(LongPredicate isKept) {
+    byTask.keySet().removeIf(task -> !isKept.test(task));
+  }
+
+  /** By task, the oldest first. */
+  Map<Long, List<NegotiationLine>> byTask() {
+    return Map.copyOf(byTask);
+  }
+}
