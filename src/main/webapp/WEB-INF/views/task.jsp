@@ -75,6 +75,15 @@
             <li><p><t:said sentence="${event.sentence}"/></p><p class="faint"><t:time at="${event.at}"/> · <bdi><c:out value="${event.who}"/></bdi></p></li>
           </c:forEach>
         </ol>
+        <c:if test="${not empty negotiation}">
+          <h2><fmt:message key="task.negotiation"/></h2>
+          <p class="faint"><fmt:message key="task.negotiation.help"/></p>
+          <ol class="history" id="negotiation">
+            <c:forEach items="${negotiation}" var="line">
+              <li><p><t:said sentence="${line.text}"/></p><p class="faint"><t:time at="${line.at}"/></p></li>
+            </c:forEach>
+          </ol>
+        </c:if>
       </article>
     </div>
   </div>

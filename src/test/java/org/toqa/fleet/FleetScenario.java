@@ -3,6 +3,7 @@ package org.toqa.fleet;
 import java.time.Duration;
 import java.time.Instant;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Locale;
@@ -14,6 +15,7 @@ import java.util.function.Predicate;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.jspecify.annotations.Nullable;
+import org.toqa.allocation.Policy;
 import org.toqa.fleet.TaskOrder.Where;
 import org.toqa.geometry.Vec2;
 import org.toqa.grid.FloorMap;
@@ -38,6 +40,8 @@ import org.toqa.wording.Sentence;
  * a is 1.4 wide                     metres, for the whole scenario
  * a drives 0.1                      metres a second at most, for the whole scenario
  * a turns 0.5                       radians a second at most, for the whole scenario
+ * a carries 10                      kilograms; 5 where nothing is said, for the whole scenario
+ * allocates zones                   also: contract-net; optimal where nothing is said
  * a has 18                          percent in its battery, from now on
  * task box A B 2                    kilograms
  * task late A B 2 within 5          seconds to its deadline; "expect late answered ..." looks at
@@ -45,6 +49,7 @@ import org.toqa.wording.Sentence;
  * cancel box                        also: cancel box here, cancel box back
  * answer box another robot
  * hold box                          also: hold a, hold all; resume ...
+ * a never bids                      also: bids late, refuses awards, bids strangely, bids as usual
  * a breaks                          also: is mended, falls silent, speaks again, sticks, is let go, misses the end
  * restart                           of the server
  * expect box CARRYING
@@ -52,6 +57,7 @@ import org.toqa.wording.Sentence;
  * expect box waits It needs 3 robots
  * expect box late The deadline cannot be met
  * expect box asks
+ * expect box said r2 has not answered   in a negotiation about it
  * expect box told r1 must charge    in its history
  * expect a does Charges at C1
  * expect a is IDLE
@@ -73,6 +79,8 @@ final class FleetScenario {
   private static final Pattern WIDE = Pattern.compile("([a-z]) is ([0-9.]+) wide");
   private static final Pattern DRIVES = Pattern.compile("([a-z]) drives ([0-9.]+)");
   private static final Pattern TURNS = Pattern.compile("([a-z]) turns ([0-9.]+)");
+  private static final Pattern CARRIES = Pattern.compile("([a-z]) carries ([0-9.]+)");
+  private static final Pattern ALLOCATES = Pattern.compile("allocates (\\S+)");
   private static final Pattern CANCEL = Pattern.compile("cancel (\\w+) ?(here|back)?");
   private static final Pattern HOLD = Pattern.compile("(hold|resume) (\\w+)");
   private static final Pattern ANSWER = Pattern.compile("answer (\\w+) (.+)");
@@ -82,6 +90,8 @@ final class FleetScenario {
   private final Map<String, Double> diameters = new HashMap<>();
   private final Map<String, Double> maxSpeeds = new HashMap<>();
   private final Map<String, Double> maxTurnRates = new HashMap<>();
+  private final Map<String, Double> maxLoads = new HashMap<>();
+  private Policy policy = Policy.OPTIMAL;
   private ChargingRules charging = ChargingRules.USUAL;
   private final Map<String, Long> tasks = new HashMap<>();
   private final Map<String, TaskView> answered = new HashMap<>();
@@ -93,12 +103,22 @@ final class FleetScenario {
       Matcher wide = WIDE.matcher(line);
       Matcher drives = DRIVES.matcher(line);
       Matcher turns = TURNS.matcher(line);
+      Matcher carries = CARRIES.matcher(line);
+      Matcher allocates = ALLOCATES.matcher(line);
       if (threshold.matches()) {
         charging = chargingRules(threshold.group(1), Integer.parseInt(threshold.group(2)));
       } else if (wide.matches()) {
         diameters.put(wide.group(1), Double.parseDouble(wide.group(2)));
       } else if (drives.matches()) {
         maxSpeeds.put(drives.group(1), Double.parseDouble(drives.group(2)));
+      } else if (carries.matches()) {
+        maxLoads.put(carries.group(1), Double.parseDouble(carries.group(2)));
+      } else if (allocates.matches()) {
+        policy =
+            Arrays.stream(Policy.values())
+                .filter(known -> known.word().equals(allocates.group(1)))
+                .findFirst()
+                .orElseThrow();
       } else if (turns.matches()) {
         maxTurnRates.put(turns.group(1), Double.parseDouble(turns.group(2)));
       } else if (!line.isBlank() && !line.startsWith("# ")) {
@@ -123,9 +143,11 @@ final class FleetScenario {
    * @return the first line that did not come true, and what was so instead; null if all did
    */
   @Nullable String fault() throws Exception {
-    try (FleetStage stage = new FleetStage(floor(), charging)) {
+    try (FleetStage stage = new FleetStage(floor(), charging, policy)) {
       for (Place place : places('a', 'z')) {
-        ScriptedRobot robot = stage.add(place.name(), place.position(), "P" + place.name());
+        double maxLoad = maxLoads.getOrDefault(place.name(), ScriptedRobot.MAX_LOAD);
+        ScriptedRobot robot =
+            stage.add(place.name(), place.position(), "P" + place.name(), null, maxLoad);
         robot.setStepsPerSegment(STEPS_A_SEGMENT);
         robot.setFootprint(diameters.getOrDefault(place.name(), ScriptedRobot.FOOTPRINT));
         robot.setMaxTurnRate(maxTurnRates.getOrDefault(place.name(), ScriptedRobot.MAX_TURN_RATE));
@@ -178,7 +200,7 @@ final class FleetScenario {
     } else if (line.equals("restart")) {
       stage.restart();
     } else if (robot.matches()) {
-      apply(stage.scriptedRobot(robot.group(1)), robot.group(2));
+      apply(stage, robot.group(1), robot.group(2));
     } else {
       throw new IllegalArgumentException("What is \"" + line + "\"?");
     }
@@ -197,8 +219,14 @@ final class FleetScenario {
     }
   }
 
-  private static void apply(ScriptedRobot robot, String what) {
+  private static void apply(FleetStage stage, String name, String what) {
+    ScriptedRobot robot = stage.scriptedRobot(name);
     switch (what) {
+      case "never bids" -> stage.setBidding(name, StrangeBidder.Habit.SILENT);
+      case "bids late" -> stage.setBidding(name, StrangeBidder.Habit.LATE);
+      case "refuses awards" -> stage.setBidding(name, StrangeBidder.Habit.REFUSES);
+      case "bids strangely" -> stage.setBidding(name, StrangeBidder.Habit.STRANGE);
+      case "bids as usual" -> stage.setBidding(name, StrangeBidder.Habit.USUAL);
       case "breaks" -> robot.breakDown("BUMPER");
       case "is mended" -> robot.repair();
       case "falls silent" -> robot.fallSilent();
@@ -240,6 +268,10 @@ final class FleetScenario {
       case "answered" -> view -> contains(Objects.requireNonNull(answered.get(who)).late(), words);
       case "told" ->
           view -> stage.store.history(id(who)).stream().anyMatch(e -> e.text().contains(words));
+      case "said" ->
+          view ->
+              view.negotiations().getOrDefault(id(who), List.of()).stream()
+                  .anyMatch(line -> contains(line.text(), words));
       case "has" ->
           view ->
               Objects.equals(

@@ -39,7 +39,6 @@ public final class FleetStage implements AutoCloseable {
   /** Of the time that the test brings, for one condition. */
   private static final Duration LIMIT = Duration.ofMinutes(10);
 
-  private static final double MAX_LOAD = 5;
   private static final String STORE = "store-";
 
   private final FloorMap floor;
@@ -62,7 +61,11 @@ public final class FleetStage implements AutoCloseable {
   }
 
   FleetStage(FloorMap floor, ChargingRules charging) {
-    this(floor, charging, Policy.OPTIMAL.method(), UnaryOperator.identity());
+    this(floor, charging, Policy.OPTIMAL);
+  }
+
+  FleetStage(FloorMap floor, ChargingRules charging, Policy policy) {
+    this(floor, charging, policy.method(), UnaryOperator.identity());
   }
 
   /**
@@ -93,13 +96,31 @@ public final class FleetStage implements AutoCloseable {
 
   ScriptedRobot add(
       String name, Vec2 at, @Nullable String parking, @Nullable Fingerprint fingerprint) {
+    return add(name, at, parking, fingerprint, ScriptedRobot.MAX_LOAD);
+  }
+
+  /**
+   * @param maxLoad kilograms
+   */
+  ScriptedRobot add(
+      String name,
+      Vec2 at,
+      @Nullable String parking,
+      @Nullable Fingerprint fingerprint,
+      double maxLoad) {
     ScriptedRobot robot = new ScriptedRobot(name, at);
     robots.put(name, robot);
+    robot.setMaxLoad(maxLoad);
     robot.setPeers(this::scriptedRobot);
     store.saveRobot(
         RobotRecord.direct(
-            name, floor.name(), "127.0.0.1", 1, MAX_LOAD, parking, false, fingerprint));
+            name, floor.name(), "127.0.0.1", 1, maxLoad, parking, false, fingerprint));
     return robot;
+  }
+
+  /** The robot's agent takes part in negotiations so, from now on. */
+  void setBidding(String name, StrangeBidder.Habit habit) {
+    runtime.setBidding(name, habit);
   }
 
   ScriptedRobot scriptedRobot(String name) {

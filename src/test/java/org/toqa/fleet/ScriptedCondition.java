@@ -21,6 +21,7 @@ final class ScriptedCondition {
   double sensorRange = 20;
 
   /** Metres a second. */
+  double maxLoad = ScriptedRobot.MAX_LOAD;
   double maxSpeed = ScriptedRobot.MAX_SPEED;
 
   /** Radians a second. */

@@ -42,6 +42,7 @@ import org.toqa.wording.Sentence;
 public final class ScriptedRobot {
   static final double FOOTPRINT = 0.255;
   static final double MAX_SPEED = 0.5;
+  static final double MAX_LOAD = 5;
   static final double MAX_TURN_RATE = 3.5;
 
   private final String name;
@@ -98,6 +99,15 @@ public final class ScriptedRobot {
    */
   synchronized void setMaxSpeed(double speed) {
     condition.maxSpeed = speed;
+  }
+
+  /**
+   * To be said before the server hears of it.
+   *
+   * @param kilograms that it carries
+   */
+  synchronized void setMaxLoad(double kilograms) {
+    condition.maxLoad = kilograms;
   }
 
   /** Likewise, in radians a second. */
@@ -372,7 +382,7 @@ public final class ScriptedRobot {
     return new Hello(
         AgentMessage.VERSION,
         name,
-        5,
+        condition.maxLoad,
         condition.maxSpeed,
         condition.maxTurnRate,
         condition.footprint,

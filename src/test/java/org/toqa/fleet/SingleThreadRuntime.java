@@ -10,6 +10,10 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.Queue;
+import org.apache.pekko.actor.typed.javadsl.Behaviors;
+import org.apache.pekko.actor.typed.Behavior;
+import java.util.concurrent.ConcurrentHashMap;
+import java.util.Map;
 import java.util.concurrent.AbstractExecutorService;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.ConcurrentLinkedQueue;
@@ -48,6 +52,9 @@ final class SingleThreadRuntime implements FleetRuntime, AutoCloseable {
   private final AtomicLong agentTurns = new AtomicLong();
 
   private final AtomicLong agentWaits = new AtomicLong();
+
+  /** By the name of an agent. */
+  private final Map<String, StrangeBidder.Habit> habits = new ConcurrentHashMap<>();
 
   /** What agents did meanwhile that waits for a disk or another machine where those are slow. */
   private final Queue<String> slowCalls = new ConcurrentLinkedQueue<>();
@@ -127,6 +134,20 @@ final class SingleThreadRuntime implements FleetRuntime, AutoCloseable {
       agentWaits.addAndGet(waits() - before);
       agentTurns.incrementAndGet();
     }
+  }
+
+  @Override
+  public <T> Behavior<T> agent(String name, Behavior<T> usual) {
+    return Behaviors.intercept(
+        () -> new StrangeBidder<>(
+                name.replaceFirst("^robot-", ""),
+                () -> habits.getOrDefault(name, StrangeBidder.Habit.USUAL)),
+        usual);
+  }
+
+  /** From now on the robot's agent takes part in negotiations so. */
+  void setBidding(String robot, StrangeBidder.Habit habit) {
+    habits.put("robot-" + robot, habit);
   }
 
   /**

@@ -4,6 +4,7 @@ import com.fasterxml.jackson.annotation.JsonInclude;
 import java.time.Instant;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
+import org.toqa.allocation.NegotiationLine;
 import org.toqa.fleet.EventRecord;
 import org.toqa.fleet.TaskView;
 import org.toqa.mission.OrderPart;
@@ -22,6 +23,7 @@ import org.toqa.wording.Sentence;
  * @param order which part of an order it is
  * @param followed whether the caller follows it; left out of lists and of the live stream
  * @param history left out there too
+ * @param negotiation what was last said of it by robots' agents; left out there too
  */
 public record TaskJson(
     long id,
@@ -46,7 +48,8 @@ public record TaskJson(
     @Nullable Question needs,
     @Nullable OrderPartJson order,
     @JsonInclude(JsonInclude.Include.NON_NULL) @Nullable Boolean followed,
-    @JsonInclude(JsonInclude.Include.NON_NULL) @Nullable List<EventJson> history) {
+    @JsonInclude(JsonInclude.Include.NON_NULL) @Nullable List<EventJson> history,
+    @JsonInclude(JsonInclude.Include.NON_NULL) @Nullable List<LineJson> negotiation) {
 
   /** Metres, map frame. */
   record PlaceJson(double x, double y, @Nullable String station) {
@@ -73,16 +76,33 @@ public record TaskJson(
     }
   }
 
-  public static TaskJson of(TaskView view) {
-    return of(view, null, null);
+  record LineJson(Instant at, Sentence text) {
+    static LineJson of(NegotiationLine line) {
+      return new LineJson(line.at(), line.text());
+    }
   }
 
-  static TaskJson withHistory(TaskView view, boolean followed, List<EventRecord> history) {
-    return of(view, followed, history.stream().map(EventJson::of).toList());
+  public static TaskJson of(TaskView view) {
+    return of(view, null, null, null);
+  }
+
+  static TaskJson withHistory(
+      TaskView view,
+      boolean followed,
+      List<EventRecord> history,
+      List<NegotiationLine> negotiation) {
+    return of(
+        view,
+        followed,
+        history.stream().map(EventJson::of).toList(),
+        negotiation.stream().map(LineJson::of).toList());
   }
 
   private static TaskJson of(
-      TaskView view, @Nullable Boolean followed, @Nullable List<EventJson> history) {
+      TaskView view,
+      @Nullable Boolean followed,
+      @Nullable List<EventJson> history,
+      @Nullable List<LineJson> negotiation) {
     TransportTask task = view.task();
     return new TaskJson(
         task.id(),
@@ -107,6 +127,7 @@ public record TaskJson(
         view.needs(),
         OrderPartJson.of(task.part()),
         followed,
-        history);
+        history,
+        negotiation);
   }
 }

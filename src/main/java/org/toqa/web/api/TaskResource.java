@@ -3,6 +3,7 @@ package org.toqa.web.api;
 import jakarta.servlet.http.HttpServletRequest;
 import jakarta.servlet.http.HttpServletResponse;
 import java.io.IOException;
+import java.util.List;
 import java.util.function.BiFunction;
 import org.toqa.fleet.TaskOrder;
 import org.toqa.fleet.TaskView;
@@ -176,6 +177,12 @@ public final class TaskResource extends ApiHandler {
         TaskJson.withHistory(
             task,
             services.traces().isFollowed(Caller.of(request).account().id(), task.id()),
-            services.archive().history(task.id())));
+            services.archive().history(task.id()),
+            services
+                .fleet()
+                .snapshots()
+                .latest()
+                .negotiations()
+                .getOrDefault(task.id(), List.of())));
   }
 }

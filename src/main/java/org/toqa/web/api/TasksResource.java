@@ -59,6 +59,6 @@ public final class TasksResource extends ApiHandler {
         request,
         response,
         HttpServletResponse.SC_CREATED,
-        TaskJson.withHistory(task, false, List.of(EventRecord.added(task.task()))));
+        TaskJson.withHistory(task, false, List.of(EventRecord.added(task.task())), List.of()));
   }
 }

@@ -227,6 +227,9 @@ public final class TaskPage extends PageHandler {
         "followed",
         services(request).traces().isFollowed(Caller.of(request).account().id(), task.id()));
     request.setAttribute("history", services(request).archive().history(task.id()));
+    request.setAttribute(
+        "negotiation",
+        services(request).fleet().snapshots().latest().negotiations().get(task.id()));
     request.setAttribute("timeline", TIMELINE);
     request.setAttribute("reached", TIMELINE.indexOf(task.state()));
   }
