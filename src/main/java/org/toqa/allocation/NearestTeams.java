@@ -19,6 +19,6 @@ final class NearestTeams implements TeamRanking {
   public Sentence reason(AllocationTask task, List<Member> team) {
     Member leader = team.getFirst();
     return Phrase.TOO_HEAVY_FOR_ONE.with(
-        team.size(), task.load() / team.size(), leader.robot().robot(), leader.approach());
+        team.size(), TeamRanking.shares(task, team), leader.robot().robot(), leader.approach());
   }
 }

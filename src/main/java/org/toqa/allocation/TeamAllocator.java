@@ -13,8 +13,9 @@ import org.toqa.wording.Sentence;
 
 /**
  * Gives loads that are too heavy for every robot that fits on their path to several, and leaves the
- * rest to another allocator. The team is the smallest whose robots can each carry an even share; of
- * those that are free the first ones of a {@link TeamRanking}, the first of all as the leader.
+ * rest to another allocator. Of those that are free the team is the
+ * smallest whose maximum loads add up: of these the first ones of a {@link TeamRanking}, the first
+ * of all as the leader. Each has its {@linkplain TeamSize#shares share}.
  *
  * <p>Robots seldom become free together. When such a load has waited longer than every other task,
  * robots that are free are kept for it, so that it does not wait for ever. Where it is fetched and
@@ -108,39 +109,42 @@ public final class TeamAllocator implements Allocator {
     }
 
     private void gatherTeam(AllocationTask task, List<Candidate> fitting) {
-      List<Candidate> usable =
-          problem.freeRobots().stream().filter(r -> !taken.containsKey(r.robot())).toList();
-      List<Member> team = team(task, usable, fitting);
-      int needed = size(task, fitting).orElse(Integer.MAX_VALUE);
-      if (team.size() == needed) {
-        team.forEach(m -> taken.put(m.robot().robot(), task.id()));
+      List<Member> able = able(task);
+      List<Candidate> free = able.stream().map(Member::robot).toList();
+      Optional<Integer> size = TeamSize.smallest(task.load(), free);
+      if (size.isPresent() && size.get() <= MOST_ROBOTS) {
+        List<Candidate> team = TeamSize.first(task.load(), size.get(), free);
+        team.forEach(robot -> taken.put(robot.robot(), task.id()));
         places.reserve(task, true);
-        decisions.add(assigned(task, team));
+        decisions.add(
+            assigned(task, able.stream().filter(m -> team.contains(m.robot())).toList()));
         return;
       }
+      int needed = size(task, fitting).orElse(Integer.MAX_VALUE);
       if (singleRobotTasks.isEmpty() && needed <= MOST_ROBOTS) {
-        team.forEach(m -> taken.put(m.robot().robot(), task.id()));
-        team.forEach(m -> kept.add(m.robot().robot()));
+        free.stream()
+            .limit(needed)
+            .map(Candidate::robot)
+            .forEach(
+                robot -> {
+                  taken.put(robot, task.id());
+                  kept.add(robot);
+                });
         places.keepForWaiting(task, true);
       }
       decisions.add(explainer.unassigned(task));
     }
 
-    /** The first of those that are free; fewer than are needed where not enough are. */
-    private List<Member> team(AllocationTask task, List<Candidate> free, List<Candidate> robots) {
-      Optional<Integer> size = size(task, robots);
-      if (size.isEmpty()) {
-        return List.of();
-      }
-      AllocationTask share = share(task, size.get());
+    /** Those that are free and can carry a part, the first ones for it first. */
+    private List<Member> able(AllocationTask task) {
       List<Member> able = new ArrayList<>();
-      for (Candidate robot : free) {
-        Quote cost = quotes.of(share, robot);
-        if (cost.isPossible()) {
-          able.add(new Member(robot, cost.approach()));
+      for (Candidate robot : problem.freeRobots()) {
+        Quote quote = quotes.of(task.partFor(robot), robot);
+        if (quote.isPossible() && !taken.containsKey(robot.robot())) {
+          able.add(new Member(robot, quote.approach()));
         }
       }
-      return able.stream().sorted(ranking.order(task)).limit(size.get()).toList();
+      return able.stream().sorted(ranking.order(task)).toList();
     }
 
     private Decision assigned(AllocationTask task, List<Member> team) {
@@ -156,7 +160,7 @@ public final class TeamAllocator implements Allocator {
     }
   }
 
-  /** How many robots share the load evenly, of those that are not broken; empty if all cannot. */
+  /** How many robots carry the load, of those that are not broken; empty if all cannot. */
   private static Optional<Integer> size(AllocationTask task, List<Candidate> robots) {
     return TeamSize.smallest(
         task.load(), robots.stream().filter(TeamAllocator::canBeFree).toList());
@@ -167,11 +171,6 @@ public final class TeamAllocator implements Allocator {
       case FREE, BUSY, CHARGING, HELD -> true;
       case CONNECTING, LOST, NOT_LOCALISED, ERROR, OUT_OF_SERVICE -> false;
     };
-  }
-
-  private static AllocationTask share(AllocationTask task, int robots) {
-    return new AllocationTask(
-        task.id(), task.load() / robots, task.start(), task.goal(), task.waitsFrom());
   }
 
   private static AllocationProblem withRemaining(

@@ -2,6 +2,8 @@ package org.toqa.allocation;
 
 import java.util.Comparator;
 import java.util.List;
+import java.util.stream.IntStream;
+import org.toqa.wording.Phrase;
 import org.toqa.wording.Sentence;
 
 /** Who comes first into a team, of the robots that are free and can carry their share. */
@@ -11,6 +13,20 @@ interface TeamRanking {
    * @param approach its path to the load, metres
    */
   record Member(Candidate robot, double approach) {}
+
+  /** What each has of the load, in words. */
+  static Sentence shares(AllocationTask task, List<Member> team) {
+    List<Candidate> robots = team.stream().map(Member::robot).toList();
+    List<Double> shares = TeamSize.shares(task.load(), TeamSize.maxLoads(robots));
+    double first = shares.getFirst();
+    return shares.stream().allMatch(share -> Math.abs(share - first) < TeamSize.ROUNDING)
+        ? Phrase.SHARE_OF_EACH.with(first)
+        : Sentence.joined(
+            Phrase.LISTED,
+            IntStream.range(0, robots.size())
+                .mapToObj(i -> Phrase.SHARE_OF.with(robots.get(i).robot(), shares.get(i)))
+                .toList());
+  }
 
   /** The team is made of the least ones, and the least of all leads. */
   Comparator<Member> order(AllocationTask task);

@@ -1,18 +1,72 @@
 package org.toqa.allocation;
 
+import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.IntStream;
 
-/** How many robots it takes to carry a load in even shares. */
+/** How many robots it takes to carry a load, and how much of it each of them has. */
 public final class TeamSize {
+  /** Kilograms; sums of what robots carry are not exact. */
+  static final double ROUNDING = 1e-9;
+
   private TeamSize() {}
 
-  /** The least number; empty where all of them together do not. */
+  /** The least number whose maximum loads add up to it; empty where those of all do not. */
   public static Optional<Integer> smallest(double load, List<Candidate> robots) {
+    List<Double> strongestFirst =
+        robots.stream().map(Candidate::maxLoad).sorted(Comparator.reverseOrder()).toList();
     return IntStream.rangeClosed(1, robots.size())
-        .filter(n -> robots.stream().filter(r -> r.maxLoad() * n >= load).count() >= n)
+        .filter(n -> sum(strongestFirst.subList(0, n)) >= load - ROUNDING)
         .boxed()
         .findFirst();
+  }
+
+  /**
+   * The first ones that are together strong enough.
+   *
+   * @param robots the one that shall be in it first
+   * @param size as many as there shall be
+   * @return fewer, or too weak ones, where there is no such team
+   */
+  public static List<Candidate> first(double load, int size, List<Candidate> robots) {
+    List<Candidate> team = new ArrayList<>();
+    for (int i = 0; i < robots.size() && team.size() < size; i++) {
+      List<Double> rest =
+          robots.subList(i + 1, robots.size()).stream()
+              .map(Candidate::maxLoad)
+              .sorted(Comparator.reverseOrder())
+              .limit(size - team.size() - 1L)
+              .toList();
+      double most = sum(maxLoads(team)) + robots.get(i).maxLoad() + sum(rest);
+      if (rest.size() == size - team.size() - 1 && most >= load - ROUNDING) {
+        team.add(robots.get(i));
+      }
+    }
+    return team.size() == size ? team : robots.stream().limit(size).toList();
+  }
+
+  static boolean isStrongEnough(double load, List<Candidate> team) {
+    return sum(maxLoads(team)) >= load - ROUNDING;
+  }
+
+  static List<Double> maxLoads(List<Candidate> team) {
+    return team.stream().map(Candidate::maxLoad).toList();
+  }
+
+  /**
+   * Kilograms that each has of the load, in the order of the robots: who carries twice as much has
+   * twice the share, so that nobody has more than he may.
+   *
+   * @param maxLoads kilograms, each more than 0
+   */
+  public static List<Double> shares(double load, List<Double> maxLoads) {
+    double sum = sum(maxLoads);
+    return maxLoads.stream().map(most -> load * most / sum).toList();
+  }
+
+  private static double sum(List<Double> kilograms) {
+    return kilograms.stream().mapToDouble(Double::doubleValue).sum();
   }
 }

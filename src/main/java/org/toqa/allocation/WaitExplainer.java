@@ -78,11 +78,8 @@ public final class WaitExplainer {
   private Sentence tooHeavyForOne(AllocationTask task) {
     Optional<Integer> needed = TeamSize.smallest(task.load(), robots);
     double together = robots.stream().mapToDouble(Candidate::maxLoad).sum();
-    if (task.load() > together) {
-      return Phrase.TOO_HEAVY_FOR_ALL.with(task.load(), robots.size(), together);
-    }
     if (needed.isEmpty()) {
-      return Phrase.NO_EVEN_SHARES.with(task.load());
+      return Phrase.TOO_HEAVY_FOR_ALL.with(task.load(), robots.size(), together);
     }
     long free = robots.stream().filter(Candidate::isFree).count();
     return Phrase.NEEDS_TEAM.with(needed.get(), free, robots.size());

@@ -29,7 +29,7 @@ final class ZoneTeams implements TeamRanking {
     Candidate leader = team.getFirst().robot();
     return Phrase.TEAM_FROM_ZONES.with(
         team.size(),
-        task.load() / team.size(),
+        TeamRanking.shares(task, team),
         leader.robot(),
         zones.zoneOfRobot(leader) + 1,
         zones.zoneOf(task.start()) + 1,

@@ -7,7 +7,6 @@ import java.util.concurrent.Executors;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.ThreadPoolExecutor;
 import java.util.concurrent.TimeUnit;
-import org.apache.pekko.actor.typed.Behavior;
 
 /**
  * What the agents take of the machine that they run on: threads, and a clock for how long it
@@ -64,7 +63,7 @@ public interface FleetRuntime {
    *
    * @param name such as {@code robot-r1}
    */
-  default <T> Behavior<T> agent(String name, Behavior<T> usual) {
+  default <B> B agent(String name, B usual) {
     return usual;
   }
 

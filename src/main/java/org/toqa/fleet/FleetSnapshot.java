@@ -4,7 +4,6 @@ import java.time.Instant;
 import java.util.List;
 import java.util.Map;
 import org.jspecify.annotations.Nullable;
-import org.toqa.allocation.NegotiationLine;
 import org.toqa.wording.Sentence;
 
 /**
@@ -28,7 +27,7 @@ public record FleetSnapshot(
     int queuedCount,
     List<FloorView> floors,
     @Nullable Hold pause,
-    Map<Long, List<NegotiationLine>> negotiations,
+    Map<Long, List<NegotiationEntry>> negotiations,
     List<Sentence> alerts) {
 
   public FleetSnapshot {

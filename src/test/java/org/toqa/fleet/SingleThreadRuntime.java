@@ -137,12 +137,14 @@ final class SingleThreadRuntime implements FleetRuntime, AutoCloseable {
   }
 
   @Override
-  public <T> Behavior<T> agent(String name, Behavior<T> usual) {
-    return Behaviors.intercept(
+  @SuppressWarnings("unchecked") // an agent is a behavior
+  public <B> B agent(String name, B usual) {
+    return (B)
+        Behaviors.intercept(
         () -> new StrangeBidder<>(
                 name.replaceFirst("^robot-", ""),
                 () -> habits.getOrDefault(name, StrangeBidder.Habit.USUAL)),
-        usual);
+        (Behavior<Object>) usual);
   }
 
   /** From now on the robot's agent takes part in negotiations so. */

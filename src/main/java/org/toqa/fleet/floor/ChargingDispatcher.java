@@ -187,11 +187,6 @@ final class ChargingDispatcher {
         : null;
   }
 
-  /** Kilograms that each of the mission's robots has on board: they carry even shares. */
-  private static double shareOfLoad(Mission mission) {
-    return mission.task().load() / Math.max(1, mission.assignedRobots().size());
-  }
-
   private boolean isBatteryEnoughFor(Mission mission, FloorRobot robot, double battery) {
     Pose pose = robot.reported.pose();
     if (pose == null) {
@@ -201,7 +196,7 @@ final class ChargingDispatcher {
     Vec2 goal = mission.destination().position();
     double used =
         Energy.joules(queues.metres(robot, pose.position(), object), 0)
-            + Energy.joules(queues.metres(robot, object, goal), shareOfLoad(mission))
+            + Energy.joules(queues.metres(robot, object, goal), state.formations.share(mission, robot.name()))
             + Energy.joules(queues.metresToCharger(robot, goal), 0);
     return used < battery * Energy.BATTERY_JOULES;
   }

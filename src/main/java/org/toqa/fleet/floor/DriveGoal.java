@@ -29,8 +29,9 @@ record DriveGoal(
    * What the robot's phase of the mission asks.
    *
    * @param home its parking point
+   * @param share kilograms that it has of the load
    */
-  static DriveGoal of(Mission mission, String robot, Optional<Vec2> home) {
+  static DriveGoal of(Mission mission, String robot, Optional<Vec2> home, double share) {
     Phase phase = mission.assignedRobot(robot).map(AssignedRobot::phase).orElse(Phase.HOME);
     Vec2 goal =
         switch (phase) {
@@ -38,8 +39,7 @@ record DriveGoal(
           case TO_GOAL -> mission.destination().position();
           case HOME, NONE -> home.orElse(mission.task().goal().position());
         };
-    double load =
-        phase == Phase.TO_GOAL ? mission.task().load() / mission.assignedRobots().size() : 0;
-    return new DriveGoal(mission.id(), phase, goal, null, load);
+    return new DriveGoal(
+        mission.id(), phase, goal, null, phase == Phase.TO_GOAL ? share : 0);
   }
 }

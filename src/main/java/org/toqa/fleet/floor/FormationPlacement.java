@@ -1,11 +1,13 @@
 package org.toqa.fleet.floor;
 
+import java.util.Collections;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
+import org.toqa.formation.LoadHolds;
 import org.toqa.formation.Shape;
 import org.toqa.geometry.Pose;
 import org.toqa.geometry.Vec2;
@@ -62,12 +64,19 @@ final class FormationPlacement {
         .toList();
   }
 
+  /** Whether robots so placed can hold a load; if so, then with any shares. */
+  private static boolean canHold(Shape shape, LoadSize size, double turn) {
+    List<Double> alike = Collections.nCopies(1 + shape.followers().size(), 1.0);
+    return LoadHolds.of(shape, size.length(), size.width(), turn, alike).isPresent();
+  }
+
   private Stream<Formation> at(
       Vec2 object, int eighths, Shape ideal, LoadSize size, double radius) {
     Pose load = new Pose(object.x(), object.y(), eighths * EIGHTH);
     boolean isCornerwise = eighths % 2 == 1 && size.length() == size.width();
     return new LoadPlaces(grid, load, size, isCornerwise ? EIGHTH : 0, radius)
         .nearest(ideal).stream()
+            .filter(shape -> canHold(shape, size, isCornerwise ? EIGHTH : 0))
             .map(
                 shape ->
                     new Formation(

@@ -6,6 +6,7 @@ import java.util.Map;
 import java.util.Objects;
 import java.util.Optional;
 import org.jspecify.annotations.Nullable;
+import org.toqa.allocation.TeamSize;
 import org.toqa.fleet.RobotCapabilities;
 import org.toqa.fleet.robot.RobotMessage;
 import org.toqa.geometry.Pose;
@@ -68,13 +69,31 @@ final class Formations {
 
   /** What the robot's phase of the mission asks. */
   DriveGoal driveGoal(Mission mission, String robot) {
-    DriveGoal goal = DriveGoal.of(mission, robot, state.parkingPoint(robot));
+    DriveGoal goal = DriveGoal.of(mission, robot, state.parkingPoint(robot), share(mission, robot));
     Optional<Formation> formation = of(mission);
     if (goal.phase() != Phase.TO_OBJECT || formation.isEmpty()) {
       return goal;
     }
     Pose place = formation.get().pose(index(mission, robot));
     return new DriveGoal(goal.task(), Phase.TO_OBJECT, place.position(), place.theta(), 0);
+  }
+
+  /** Kilograms that the robot has of the mission's load. */
+  double share(Mission mission, String robot) {
+    List<String> team = mission.assignedRobots().stream().map(AssignedRobot::robot).toList();
+    int index = team.indexOf(robot);
+    if (index < 0 || team.size() < 2) {
+      return mission.task().load();
+    }
+    return TeamSize.shares(mission.task().load(), team.stream().map(this::maxLoad).toList())
+        .get(index);
+  }
+
+  private double maxLoad(String robot) {
+    FloorRobot known = state.robots.get(robot);
+    return known == null
+        ? 1
+        : Math.max(Double.MIN_NORMAL, known.reported.capabilities().allowedLoad(known.record()));
   }
 
   private static int index(Mission mission, String robot) {

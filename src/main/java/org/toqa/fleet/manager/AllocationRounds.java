@@ -24,10 +24,10 @@ import org.toqa.allocation.AllocationTask;
 import org.toqa.allocation.Availability;
 import org.toqa.allocation.Candidate;
 import org.toqa.allocation.Decision;
-import org.toqa.allocation.NegotiationLine;
 import org.toqa.allocation.PlaceUse;
 import org.toqa.allocation.Terrain;
 import org.toqa.allocation.WaitExplainer;
+import org.toqa.fleet.NegotiationEntry;
 import org.toqa.fleet.TaskView;
 import org.toqa.fleet.floor.FloorMessage;
 import org.toqa.geometry.Vec2;
@@ -324,7 +324,7 @@ final class AllocationRounds {
   }
 
   /** What was last said of tasks by robots' agents. */
-  Map<Long, List<NegotiationLine>> negotiations() {
+  Map<Long, List<NegotiationEntry>> negotiations() {
     return negotiations.byTask();
   }
 

@@ -17,19 +17,16 @@ import org.toqa.mission.TransportTask;
 record Capacity(double total, Map<String, List<Candidate>> robots) {
 
   /**
-   * The smallest team that carries the load in even shares, of the narrowest robots; empty where
+   * The smallest team whose maximum loads add up to the load, of the narrowest robots; empty where
    * one robot carries it, or none of the teams that there are.
    */
   Optional<List<Candidate>> narrowestTeam(TransportTask task) {
-    List<Candidate> here = robots.getOrDefault(task.floor(), List.of());
-    return TeamSize.smallest(task.load(), here)
+    List<Candidate> narrowestFirst =
+        robots.getOrDefault(task.floor(), List.of()).stream()
+            .sorted(Comparator.comparingDouble(Candidate::diameter))
+            .toList();
+    return TeamSize.smallest(task.load(), narrowestFirst)
         .filter(size -> size > 1)
-        .map(
-            size ->
-                here.stream()
-                    .filter(robot -> robot.maxLoad() * size >= task.load())
-                    .sorted(Comparator.comparingDouble(Candidate::diameter))
-                    .limit(size)
-                    .toList());
+        .map(size -> TeamSize.first(task.load(), size, narrowestFirst));
   }
 }

@@ -4,7 +4,7 @@ import com.fasterxml.jackson.annotation.JsonInclude;
 import java.time.Instant;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
-import org.toqa.allocation.NegotiationLine;
+import org.toqa.fleet.NegotiationEntry;
 import org.toqa.fleet.EventRecord;
 import org.toqa.fleet.TaskView;
 import org.toqa.mission.OrderPart;
@@ -77,7 +77,7 @@ public record TaskJson(
   }
 
   record LineJson(Instant at, Sentence text) {
-    static LineJson of(NegotiationLine line) {
+    static LineJson of(NegotiationEntry line) {
       return new LineJson(line.at(), line.text());
     }
   }
@@ -90,7 +90,7 @@ public record TaskJson(
       TaskView view,
       boolean followed,
       List<EventRecord> history,
-      List<NegotiationLine> negotiation) {
+      List<NegotiationEntry> negotiation) {
     return of(
         view,
         followed,
