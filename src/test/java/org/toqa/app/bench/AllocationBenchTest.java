@@ -57,6 +57,23 @@ class AllocationBenchTest {
   }
 
   @Test
+  void negotiationsGoOnWithoutThoseThatAreSilentOrLate() {
+    JsonNode report =
+        measured(
+                "--robots", "4", "--tasks", "20", "--policy", "contract-net", "--exchange",
+                "--silent", "1", "--slow-bidders", "1", "--bidder-delay", "300")
+            .path("policies")
+            .path("contract-net");
+
+    assertEquals(20, report.path("delivered").intValue());
+    JsonNode negotiations = report.path("negotiations");
+    assertTrue(negotiations.path("bids").intValue() > 0);
+    assertTrue(negotiations.path("silent").intValue() > 0);
+    assertEquals(20, negotiations.path("awards").intValue());
+    assertTrue(negotiations.path("meanMs").doubleValue() >= 300, negotiations::toString);
+  }
+
+  @Test
   void theSameSeedIsTheSameWork() {
     String[] arguments = {"--robots", "2", "--tasks", "20", "--policy", "optimal", "--seed", "7"};
 
