@@ -387,8 +387,7 @@ public final class Negotiation {
       Sentence why =
           trade.legs().size() == 1
               ? Phrase.BOUGHT_FROM.with(leg.seller(), leg.price() / 1000)
-              : Phrase.TAKEN_IN_TRADE.with(
-                  leg.seller(), leg.price() / 1000, trade.robots().size());
+              : Phrase.TAKEN_IN_TRADE.with(leg.seller(), leg.price() / 1000, trade.robots().size());
       holdings.give(leg.task(), List.of(leg.buyer()), why);
     }
     log.addTrade(trade, now);

@@ -26,8 +26,7 @@ public record NegotiationCounts(
     int largestTrade,
     double joulesSaved) {
 
-  public static final NegotiationCounts NONE =
-      new NegotiationCounts(0, 0, 0, 0, 0, 0, 0, 0, 0, 0);
+  public static final NegotiationCounts NONE = new NegotiationCounts(0, 0, 0, 0, 0, 0, 0, 0, 0, 0);
 
   public NegotiationCounts plus(NegotiationCounts other) {
     return new NegotiationCounts(
@@ -44,8 +43,7 @@ public record NegotiationCounts(
   }
 
   NegotiationCounts plusAnswers(int moreBids, int moreDeclined, int moreSilent) {
-    return plus(
-        new NegotiationCounts(moreBids, moreDeclined, moreSilent, 0, 0, 0, 0, 0, 0, 0));
+    return plus(new NegotiationCounts(moreBids, moreDeclined, moreSilent, 0, 0, 0, 0, 0, 0, 0));
   }
 
   NegotiationCounts plusAward() {

@@ -56,7 +56,8 @@ final class NegotiationLog {
             : Phrase.BIDS_ARE.with(
                 listed(
                     bidders,
-                    robot -> Phrase.BID_OF.with(robot, kilojoules(quotes.of(task, robot).joules())))));
+                    robot ->
+                        Phrase.BID_OF.with(robot, kilojoules(quotes.of(task, robot).joules())))));
     List<String> declining = with(task, robots, false);
     if (!declining.isEmpty()) {
       parts.add(Phrase.DECLINED_ARE.with(listed(declining, robot -> reason(task, robot))));
@@ -72,17 +73,14 @@ final class NegotiationLog {
   private List<String> with(long task, Collection<String> robots, boolean isSilent) {
     return robots.stream()
         .filter(robot -> !quotes.of(task, robot).isPossible())
-        .filter(
-            robot -> (quotes.of(task, robot).impediment() == Impediment.SILENT) == isSilent)
+        .filter(robot -> (quotes.of(task, robot).impediment() == Impediment.SILENT) == isSilent)
         .sorted()
         .toList();
   }
 
   private Sentence reason(long task, String robot) {
     Sentence reason = quotes.of(task, robot).reason();
-    return reason == null
-        ? Sentence.verbatim(robot)
-        : Phrase.ROBOT_AND_CLAUSE.with(robot, reason);
+    return reason == null ? Sentence.verbatim(robot) : Phrase.ROBOT_AND_CLAUSE.with(robot, reason);
   }
 
   private static Sentence listed(List<String> robots, Function<String, Sentence> words) {
@@ -108,8 +106,7 @@ final class NegotiationLog {
   void addTrade(Trade trade, Instant at) {
     counts = counts.plusTrade(trade);
     for (Trade.Leg leg : trade.legs()) {
-      Sentence sale =
-          Phrase.SOLD_TO.with(leg.seller(), leg.buyer(), kilojoules(leg.price()));
+      Sentence sale = Phrase.SOLD_TO.with(leg.seller(), leg.buyer(), kilojoules(leg.price()));
       add(
           leg.task(),
           trade.legs().size() == 1

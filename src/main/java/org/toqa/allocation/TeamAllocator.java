@@ -13,9 +13,9 @@ import org.toqa.wording.Sentence;
 
 /**
  * Gives loads that are too heavy for every robot that fits on their path to several, and leaves the
- * rest to another allocator. Of those that are free the team is the
- * smallest whose maximum loads add up: of these the first ones of a {@link TeamRanking}, the first
- * of all as the leader. Each has its {@linkplain TeamSize#shares share}.
+ * rest to another allocator. Of those that are free the team is the smallest whose maximum loads
+ * add up: of these the first ones of a {@link TeamRanking}, the first of all as the leader. Each
+ * has its {@linkplain TeamSize#shares share}.
  *
  * <p>Robots seldom become free together. When such a load has waited longer than every other task,
  * robots that are free are kept for it, so that it does not wait for ever. Where it is fetched and
@@ -116,8 +116,7 @@ public final class TeamAllocator implements Allocator {
         List<Candidate> team = TeamSize.first(task.load(), size.get(), free);
         team.forEach(robot -> taken.put(robot.robot(), task.id()));
         places.reserve(task, true);
-        decisions.add(
-            assigned(task, able.stream().filter(m -> team.contains(m.robot())).toList()));
+        decisions.add(assigned(task, able.stream().filter(m -> team.contains(m.robot())).toList()));
         return;
       }
       int needed = size(task, fitting).orElse(Integer.MAX_VALUE);

@@ -14,8 +14,8 @@ import org.toqa.geometry.Vec2;
  *
  * <p>Where the edge points e of robots have their mean near the middle, all are moved by that, as
  * robots reach a little to the side, and so balance with equal weights. Else with h(i) = k(i) e(i)
- * weights w(i) = s(i) k(i) above 0 are asked for with sum w(i) e(i) = 0: those nearest to equal ones,
- * by least squares, and then as large as the edge allows.
+ * weights w(i) = s(i) k(i) above 0 are asked for with sum w(i) e(i) = 0: those nearest to equal
+ * ones, by least squares, and then as large as the edge allows.
  */
 public final class LoadHolds {
   private static final double ROUNDING = 1e-9;
@@ -59,8 +59,7 @@ public final class LoadHolds {
   }
 
   /** Moved to where their mean is the middle, if that is not far, and then inward onto the load. */
-  private static List<Vec2> centred(
-      List<Vec2> edges, double length, double width, double turn) {
+  private static List<Vec2> centred(List<Vec2> edges, double length, double width, double turn) {
     Vec2 mean = edges.stream().reduce(Vec2.ZERO, Vec2::plus).times(1.0 / edges.size());
     if (mean.norm() > REACH) {
       return edges;
@@ -70,9 +69,7 @@ public final class LoadHolds {
         moved.stream()
             .map(point -> point.rotated(-turn))
             .mapToDouble(
-                seen ->
-                    Math.max(
-                        2 * Math.abs(seen.x()) / length, 2 * Math.abs(seen.y()) / width))
+                seen -> Math.max(2 * Math.abs(seen.x()) / length, 2 * Math.abs(seen.y()) / width))
             .max()
             .orElse(1);
     return moved.stream().map(point -> point.times(1 / Math.max(1, outside))).toList();

@@ -34,7 +34,10 @@ class AllocatorContractTest {
 
   static Stream<Allocator> allocators() {
     return Stream.of(
-        new NearestFreeRobot(), new ZoneAllocator(), new NegotiatedAllocator(), new OptimalAllocator());
+        new NearestFreeRobot(),
+        new ZoneAllocator(),
+        new NegotiatedAllocator(),
+        new OptimalAllocator());
   }
 
   @ParameterizedTest
@@ -205,7 +208,8 @@ class AllocatorContractTest {
         throughADoor(robots, new AllocationTask(1, 8, new Vec2(40, 5), new Vec2(50, 5), NOON));
 
     assertEquals(
-        List.of("b", "a"), Outcome.robots(NegotiatedAllocator.of(policy).allocate(problem).getFirst()));
+        List.of("b", "a"),
+        Outcome.robots(NegotiatedAllocator.of(policy).allocate(problem).getFirst()));
   }
 
   private static List<String> chosen(Allocator allocator, List<Candidate> robots) {

@@ -55,7 +55,8 @@ final class NegotiatedAllocator implements Allocator {
       OwnView own = views.get(next.robot());
       Optional<Reply> reply =
           strange
-              .getOrDefault(next.robot(), (message, view) -> Optional.of(Bidder.answer(message, view)))
+              .getOrDefault(
+                  next.robot(), (message, view) -> Optional.of(Bidder.answer(message, view)))
               .apply(next.message(), own);
       if (reply.isPresent()) {
         sent.addAll(negotiation.receive(reply.get(), now));

@@ -59,8 +59,7 @@ class NegotiationTest {
     assertEquals(
         List.of(given(1, "r1", "the only bid, 1.0 kJ; no answer from r2")),
         allocate(situation(List.of(job(1, 0, 10)), List.of(free("r1", 0, 0), free("r2", 0, 9)))));
-    assertEquals(
-        "1: Announced to 2 robots; bids: r1 1.0 kJ; no answer: r2", net.lines.getFirst());
+    assertEquals("1: Announced to 2 robots; bids: r1 1.0 kJ; no answer: r2", net.lines.getFirst());
     assertEquals(Negotiation.ANSWER_TIME.plusMillis(1), net.lasted);
   }
 
@@ -77,7 +76,8 @@ class NegotiationTest {
     assertTrue(negotiation.receive(bids("r2", 6, call.call(), cheap), NOON).isEmpty(), "another");
     assertTrue(negotiation.receive(bids("r2", 7, 99, cheap), NOON).isEmpty(), "another call");
     Quote dear = Quote.possible(1, 900);
-    assertTrue(negotiation.receive(bids("r1", 7, call.call(), dear), NOON).isEmpty(), "r2 is missed");
+    assertTrue(
+        negotiation.receive(bids("r1", 7, call.call(), dear), NOON).isEmpty(), "r2 is missed");
     assertTrue(negotiation.receive(bids("r1", 7, call.call(), cheap), NOON).isEmpty(), "twice");
 
     List<Negotiation.Outgoing> awards =
@@ -124,9 +124,7 @@ class NegotiationTest {
     assertEquals(
         List.of("r1"),
         Outcome.robots(
-            allocate(
-                    situation(
-                        List.of(job(1, 0, 10)), List.of(free("r1", 0, 0), free("r2", 0, 9))))
+            allocate(situation(List.of(job(1, 0, 10)), List.of(free("r1", 0, 0), free("r2", 0, 9))))
                 .getFirst()));
   }
 
@@ -237,7 +235,8 @@ class NegotiationTest {
 
   @Test
   void pricesShareWhatIsSavedEvenly() {
-    ReceivedQuotes quotes = new ReceivedQuotes(new Costs(situation(List.of(), List.of()).terrain()));
+    ReceivedQuotes quotes =
+        new ReceivedQuotes(new Costs(situation(List.of(), List.of()).terrain()));
     quotes.put("a", 1, Quote.possible(0, 900));
     quotes.put("b", 1, Quote.possible(0, 200));
     quotes.put("b", 2, Quote.possible(0, 500));
@@ -245,7 +244,8 @@ class NegotiationTest {
     quotes.put("a", 2, Quote.possible(0, 5000));
     quotes.put("c", 1, Quote.possible(0, 5000));
 
-    Trade chain = new Market(Map.of(1L, "a", 2L, "b"), List.of("a", "b", "c"), quotes).clear().getFirst();
+    Trade chain =
+        new Market(Map.of(1L, "a", 2L, "b"), List.of("a", "b", "c"), quotes).clear().getFirst();
 
     // 900 + 500 - 200 - 300 = 900, 300 for each of three
     assertEquals(900, chain.saved(), 1e-9);

@@ -169,7 +169,9 @@ class PlaceReservationsTest {
   /** By task. */
   private Map<Long, String> waiting(
       Policy policy, List<AllocationTask> tasks, List<PlaceUse> inUse) {
-    return NegotiatedAllocator.of(policy).allocate(situation(NOON, tasks, List.of(), four, inUse)).stream()
+    return NegotiatedAllocator.of(policy)
+        .allocate(situation(NOON, tasks, List.of(), four, inUse))
+        .stream()
         .filter(Decision.Unassigned.class::isInstance)
         .collect(toMap(Decision::task, d -> d.reason().english()));
   }

@@ -87,6 +87,7 @@ class ZoneTeamsTest {
 
   private static List<Decision> allocate(double load, double x, Candidate... robots) {
     return Outcome.inEnglish(
-        NegotiatedAllocator.of(Policy.ZONES).allocate(situation(List.of(job(1, load, x)), List.of(robots))));
+        NegotiatedAllocator.of(Policy.ZONES)
+            .allocate(situation(List.of(job(1, load, x)), List.of(robots))));
   }
 }

@@ -145,7 +145,11 @@ class ExchangeCrashTest {
   @MethodSource("boundaries")
   void tasksAndRobotsAgreeAndAllIsDoneOnce(int write, boolean written) throws Exception {
     try (FleetStage stage =
-        new FleetStage(FLOOR, ChargingRules.USUAL, new AllocationMethod.Computed(allocator), this::inANewLife)) {
+        new FleetStage(
+            FLOOR,
+            ChargingRules.USUAL,
+            new AllocationMethod.Computed(allocator),
+            this::inANewLife)) {
       stage.add("a", new Vec2(0.5, 0.5), "P1").setStuck(true);
       stage.add("b", new Vec2(11.5, 0.5), "P2").setStuck(true);
       stage.restart();

@@ -22,6 +22,7 @@ final class ScriptedCondition {
 
   /** Metres a second. */
   double maxLoad = ScriptedRobot.MAX_LOAD;
+
   double maxSpeed = ScriptedRobot.MAX_SPEED;
 
   /** Radians a second. */

@@ -8,14 +8,12 @@ import java.time.Duration;
 import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.Queue;
-import org.apache.pekko.actor.typed.javadsl.Behaviors;
-import org.apache.pekko.actor.typed.Behavior;
-import java.util.concurrent.ConcurrentHashMap;
-import java.util.Map;
 import java.util.concurrent.AbstractExecutorService;
 import java.util.concurrent.BlockingQueue;
+import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.Executor;
@@ -25,6 +23,8 @@ import java.util.concurrent.RejectedExecutionException;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.Predicate;
+import org.apache.pekko.actor.typed.Behavior;
+import org.apache.pekko.actor.typed.javadsl.Behaviors;
 
 /**
  * All that a fleet does on one thread, in the order in which it came up: the same events bring the
@@ -141,10 +141,11 @@ final class SingleThreadRuntime implements FleetRuntime, AutoCloseable {
   public <B> B agent(String name, B usual) {
     return (B)
         Behaviors.intercept(
-        () -> new StrangeBidder<>(
-                name.replaceFirst("^robot-", ""),
-                () -> habits.getOrDefault(name, StrangeBidder.Habit.USUAL)),
-        (Behavior<Object>) usual);
+            () ->
+                new StrangeBidder<>(
+                    name.replaceFirst("^robot-", ""),
+                    () -> habits.getOrDefault(name, StrangeBidder.Habit.USUAL)),
+            (Behavior<Object>) usual);
   }
 
   /** From now on the robot's agent takes part in negotiations so. */

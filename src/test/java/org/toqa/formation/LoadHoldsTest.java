@@ -32,9 +32,7 @@ class LoadHoldsTest {
       @ForAll @DoubleRange(min = 0.2, max = 2) double width,
       @ForAll @DoubleRange(min = 1, max = 10) double heaviest) {
     List<Double> shares =
-        IntStream.range(0, robots)
-            .mapToObj(i -> i == 0 ? heaviest : 1.0 + i % 3)
-            .toList();
+        IntStream.range(0, robots).mapToObj(i -> i == 0 ? heaviest : 1.0 + i % 3).toList();
     Shape shape = Shape.around(robots, length, width, 0.13);
 
     List<Vec2> holds = LoadHolds.of(shape, length, width, 0, shares).orElseThrow();

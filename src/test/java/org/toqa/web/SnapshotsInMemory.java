@@ -31,7 +31,8 @@ public abstract class SnapshotsInMemory implements SnapshotFeed {
   final ReentrantLock lock = new ReentrantLock();
   final Condition withChange = lock.newCondition();
   FleetSnapshot latest =
-      new FleetSnapshot(1, Hall.START, List.of(), List.of(), 0, List.of(), null, Map.of(), List.of());
+      new FleetSnapshot(
+          1, Hall.START, List.of(), List.of(), 0, List.of(), null, Map.of(), List.of());
   List<FloorView> floors = List.of();
   List<Sentence> alerts = List.of();
   List<Sentence> failures = List.of();

@@ -86,8 +86,7 @@ final class AllocationRun {
   /**
    * @param meanMs how long one took, simulated milliseconds
    */
-  record Negotiations(
-      @JsonUnwrapped NegotiationCounts counts, double meanMs, double worstMs) {}
+  record Negotiations(@JsonUnwrapped NegotiationCounts counts, double meanMs, double worstMs) {}
 
   private record Pending(Instant end, List<Decision> decisions) {}
 

@@ -31,9 +31,7 @@ final class NegotiatedRound {
   NegotiatedRound(long number, AllocationProblem problem, BidderFaults faults) {
     this.negotiation = new Negotiation(number, problem, true);
     this.robots = problem.robots().stream().map(Candidate::robot).toList();
-    this.views =
-        problem.robots().stream()
-            .collect(Collectors.toMap(Candidate::robot, OwnView::of));
+    this.views = problem.robots().stream().collect(Collectors.toMap(Candidate::robot, OwnView::of));
     this.faults = faults;
     this.now = problem.now();
   }
@@ -70,8 +68,7 @@ final class NegotiatedRound {
         Duration delay = faults.delay(robot);
         OwnView own = views.get(message.robot());
         if (own != null) {
-          arrivals.add(
-              new Arrival(now.plus(delay), sent++, Bidder.answer(message.message(), own)));
+          arrivals.add(new Arrival(now.plus(delay), sent++, Bidder.answer(message.message(), own)));
         }
       }
     }

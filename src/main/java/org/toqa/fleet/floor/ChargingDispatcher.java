@@ -196,7 +196,8 @@ final class ChargingDispatcher {
     Vec2 goal = mission.destination().position();
     double used =
         Energy.joules(queues.metres(robot, pose.position(), object), 0)
-            + Energy.joules(queues.metres(robot, object, goal), state.formations.share(mission, robot.name()))
+            + Energy.joules(
+                queues.metres(robot, object, goal), state.formations.share(mission, robot.name()))
             + Energy.joules(queues.metresToCharger(robot, goal), 0);
     return used < battery * Energy.BATTERY_JOULES;
   }

@@ -39,7 +39,6 @@ record DriveGoal(
           case TO_GOAL -> mission.destination().position();
           case HOME, NONE -> home.orElse(mission.task().goal().position());
         };
-    return new DriveGoal(
-        mission.id(), phase, goal, null, phase == Phase.TO_GOAL ? share : 0);
+    return new DriveGoal(mission.id(), phase, goal, null, phase == Phase.TO_GOAL ? share : 0);
   }
 }

@@ -128,8 +128,7 @@ final class AllocationRounds {
     nextRounds
         .entrySet()
         .removeIf(
-            next ->
-                !fleet.now.isBefore(next.getValue()) && fleet.dueFloors.add(next.getKey()));
+            next -> !fleet.now.isBefore(next.getValue()) && fleet.dueFloors.add(next.getKey()));
     for (String floor : List.copyOf(fleet.dueFloors)) {
       if (fleet.reports.containsKey(floor) && !deciding.contains(floor)) {
         fleet.dueFloors.remove(floor);
@@ -206,10 +205,7 @@ final class AllocationRounds {
    * @param missions the problem's waiting tasks, by task
    */
   private CompletableFuture<ManagerMessage.AllocationDecided> withTeams(
-      FloorMap floor,
-      AllocationProblem problem,
-      Map<Long, Mission> missions,
-      DecidedRound round) {
+      FloorMap floor, AllocationProblem problem, Map<Long, Mission> missions, DecidedRound round) {
     Map<Long, CompletableFuture<TeamFinding>> teams = new HashMap<>();
     for (Decision decision : round.decisions()) {
       if (decision instanceof Decision.Assigned(long id, List<String> chosen, Sentence _)) {
@@ -281,8 +277,7 @@ final class AllocationRounds {
       return decided;
     }
     log.error("{}: a round of allocation failed.", floor, failure);
-    return new ManagerMessage.AllocationDecided(
-        floor, DecidedRound.of(List.of()), Map.of());
+    return new ManagerMessage.AllocationDecided(floor, DecidedRound.of(List.of()), Map.of());
   }
 
   /** Gives the tasks to robots that are still free; the rest is for the next round. */

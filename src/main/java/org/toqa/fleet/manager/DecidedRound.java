@@ -12,8 +12,7 @@ import org.toqa.allocation.NegotiationLine;
  * @param isUnfinished whether it is worth another round soon: somebody has not answered, or has
  *     refused what was awarded
  */
-record DecidedRound(
-    List<Decision> decisions, List<NegotiationLine> lines, boolean isUnfinished) {
+record DecidedRound(List<Decision> decisions, List<NegotiationLine> lines, boolean isUnfinished) {
 
   static DecidedRound of(List<Decision> decisions) {
     return new DecidedRound(decisions, List.of(), false);

@@ -95,8 +95,7 @@ final class NegotiationAgent extends AbstractBehavior<NegotiationAgent.Message> 
   private void goOn(Open open, List<Negotiation.Outgoing> sent) {
     sent.forEach(
         outgoing ->
-            robots.tell(
-                outgoing.robot(), new RobotMessage.Negotiate(outgoing.message(), replies)));
+            robots.tell(outgoing.robot(), new RobotMessage.Negotiate(outgoing.message(), replies)));
     if (open.negotiation().isOver()) {
       negotiations.remove(open.negotiation().number());
       open.end().complete(open.negotiation());

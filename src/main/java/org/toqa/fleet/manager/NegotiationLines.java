@@ -21,11 +21,11 @@ final class NegotiationLines {
    */
   void add(List<NegotiationLine> lines, Duration later) {
     for (NegotiationLine line : lines) {
-      List<NegotiationEntry> kept =
-          new ArrayList<>(byTask.getOrDefault(line.task(), List.of()));
+      List<NegotiationEntry> kept = new ArrayList<>(byTask.getOrDefault(line.task(), List.of()));
       kept.add(new NegotiationEntry(line.at().plus(later), line.text()));
       byTask.put(
-          line.task(), List.copyOf(kept.subList(Math.max(0, kept.size() - LINES_KEPT), kept.size())));
+          line.task(),
+          List.copyOf(kept.subList(Math.max(0, kept.size() - LINES_KEPT), kept.size())));
     }
   }
 

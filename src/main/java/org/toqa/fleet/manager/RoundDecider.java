@@ -68,8 +68,7 @@ final class RoundDecider {
             () -> hold(new Negotiation(number.incrementAndGet(), problem, isBinding), now),
             executor)
         .thenCompose(end -> end)
-        .thenApply(
-            over -> new DecidedRound(over.decisions(), over.lines(), over.isUnfinished()));
+        .thenApply(over -> new DecidedRound(over.decisions(), over.lines(), over.isUnfinished()));
   }
 
   /** The first step looks for paths, which takes its time. */

@@ -28,7 +28,8 @@ final class TaskPreviewer {
    * @param grid of the task's floor
    * @param check of the preview
    */
-  TaskPreviewer(RoundDecider decider, PathQuery paths, OccupancyGrid grid, OrderChecks.Check check) {
+  TaskPreviewer(
+      RoundDecider decider, PathQuery paths, OccupancyGrid grid, OrderChecks.Check check) {
     this.decider = decider;
     this.paths = paths;
     this.grid = grid;

@@ -43,8 +43,7 @@ final class TaskBidder {
     executor.execute(() -> replyTo.tell(Bidder.answer(message, own)));
   }
 
-  private static OwnView ownView(
-      RobotRecord robot, @Nullable Hello hello, @Nullable State state) {
+  private static OwnView ownView(RobotRecord robot, @Nullable Hello hello, @Nullable State state) {
     if (hello == null) {
       return OwnView.unable(robot.name(), Phrase.IS_NOT_CONNECTED.with());
     }

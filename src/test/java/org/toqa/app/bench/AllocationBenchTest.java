@@ -60,8 +60,19 @@ class AllocationBenchTest {
   void negotiationsGoOnWithoutThoseThatAreSilentOrLate() {
     JsonNode report =
         measured(
-                "--robots", "4", "--tasks", "20", "--policy", "contract-net", "--exchange",
-                "--silent", "1", "--slow-bidders", "1", "--bidder-delay", "300")
+                "--robots",
+                "4",
+                "--tasks",
+                "20",
+                "--policy",
+                "contract-net",
+                "--exchange",
+                "--silent",
+                "1",
+                "--slow-bidders",
+                "1",
+                "--bidder-delay",
+                "300")
             .path("policies")
             .path("contract-net");
 
