@@ -10,8 +10,7 @@ import org.toqa.geometry.Vec2;
  *
  * @param low the floor's lower left corner, metres, map frame
  * @param high the floor's upper right corner, metres, map frame
- * @param pathLengths the lengths of paths on the floor
- * @param chargers the floor's charging points, metres, map frame
+ * @param terrain what the map tells
  * @param waiting tasks that no robot has, the most urgent ones at least
  * @param givenTasks tasks that robots have but whose loads are not picked up, as far as they may
  *     still go to other robots; no two of one robot
