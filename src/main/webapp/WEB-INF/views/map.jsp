@@ -103,6 +103,20 @@
                 <t:csrf/>
                 <button class="outline wide"><fmt:message key="floor.${empty view.hold ? 'hold' : 'resume'}"/></button>
               </form>
+              <c:url value="/floors/${view.name}/allocator" var="allocatorUrl"/>
+              <details>
+                <summary><fmt:message key="floor.allocator"/>: <fmt:message key="floor.allocator.${empty allocators[view.name] ? 'configured' : allocators[view.name]}"/></summary>
+                <form method="post" action="<c:out value="${allocatorUrl}"/>">
+                  <t:csrf/>
+                  <fieldset>
+                    <c:forTokens items="configured,zones,contract-net,optimal" delims="," var="word">
+                      <label><input type="radio" name="allocator" value="${word == 'configured' ? '' : word}" ${word == (empty allocators[view.name] ? 'configured' : allocators[view.name]) ? 'checked' : ''}> <fmt:message key="floor.allocator.${word}"/><c:if test="${word != 'configured'}"><br><small class="faint"><fmt:message key="floor.allocator.${word}.figures"/></small></c:if></label>
+                    </c:forTokens>
+                  </fieldset>
+                  <p class="faint"><fmt:message key="floor.allocator.measured"/></p>
+                  <button class="outline wide"><fmt:message key="floor.allocator.submit"/></button>
+                </form>
+              </details>
             </c:if>
           </c:if>
         </c:forEach>

@@ -1,6 +1,8 @@
 package org.toqa.allocation;
 
+import java.util.Arrays;
 import java.util.Locale;
+import java.util.Optional;
 
 /** The allocators by the names that people give them. */
 public enum Policy {
@@ -17,6 +19,11 @@ public enum Policy {
           new AllocationMethod.Computed(
               new TeamAllocator(new OptimalAllocator(), _ -> new NearestTeams()));
     };
+  }
+
+  /** The one that is written so; empty: there is none. */
+  public static Optional<Policy> ofWord(String word) {
+    return Arrays.stream(values()).filter(policy -> policy.word().equals(word)).findFirst();
   }
 
   /** As it is written, such as {@code contract-net}. */

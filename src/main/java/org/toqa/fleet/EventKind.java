@@ -56,6 +56,7 @@ public enum EventKind {
   ROBOT_WAITS_FOR_CHARGER("robot.waits-for-charger"),
   TRAFFIC_RESOLVED("traffic.resolved"),
   TRAFFIC_STANDSTILL("traffic.standstill"),
+  FLOOR_ALLOCATOR("floor.allocator"),
   FLOOR_HELD("floor.held"),
   FLOOR_OBSTACLE("floor.obstacle"),
   FLOOR_OBSTACLE_DOUBTED("floor.obstacle-doubted"),

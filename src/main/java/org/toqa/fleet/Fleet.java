@@ -158,6 +158,14 @@ public interface Fleet {
 
   CompletionStage<Answer<Optional<Hold>>> resumeFloor(String floor, String user);
 
+  /**
+   * Who decides on a floor which robots carry what, from its next round on.
+   *
+   * @param allocator its word; empty: that of the configuration
+   */
+  CompletionStage<Answer<Optional<String>>> chooseAllocator(
+      String floor, Optional<String> allocator, String user);
+
   Schedules schedules();
 
   /** All floors, the first one the default. */

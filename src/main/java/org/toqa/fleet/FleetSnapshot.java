@@ -17,6 +17,7 @@ import org.toqa.wording.Sentence;
  * @param floors those that have reported, in their order
  * @param pause null while the fleet is not paused
  * @param negotiations by task, what was last said of it by robots' agents; the oldest first
+ * @param allocators by floor, the word of the one that a manager has chosen
  * @param alerts what concerns the whole fleet, such as a store that does not answer
  */
 public record FleetSnapshot(
@@ -28,6 +29,7 @@ public record FleetSnapshot(
     List<FloorView> floors,
     @Nullable Hold pause,
     Map<Long, List<NegotiationEntry>> negotiations,
+    Map<String, String> allocators,
     List<Sentence> alerts) {
 
   public FleetSnapshot {
@@ -35,17 +37,18 @@ public record FleetSnapshot(
     tasks = List.copyOf(tasks);
     floors = List.copyOf(floors);
     negotiations = Map.copyOf(negotiations);
+    allocators = Map.copyOf(allocators);
     alerts = List.copyOf(alerts);
   }
 
   /** Of a fleet that nothing is known of yet but whether it is paused. */
   public static FleetSnapshot initial(Instant at, @Nullable Hold pause) {
-    return new FleetSnapshot(0, at, List.of(), List.of(), 0, List.of(), pause, Map.of(), List.of());
+    return new FleetSnapshot(0, at, List.of(), List.of(), 0, List.of(), pause, Map.of(), Map.of(), List.of());
   }
 
   /** The same with another version and other alerts. */
   public FleetSnapshot with(long otherVersion, List<Sentence> otherAlerts) {
     return new FleetSnapshot(
-        otherVersion, at, robots, tasks, queuedCount, floors, pause, negotiations, otherAlerts);
+        otherVersion, at, robots, tasks, queuedCount, floors, pause, negotiations, allocators, otherAlerts);
   }
 }

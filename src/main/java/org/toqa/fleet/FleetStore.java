@@ -43,6 +43,9 @@ public interface FleetStore {
   /** By name, the floors that are on hold. */
   Map<String, Hold> floorHolds();
 
+  /** By name of a floor, the word of the allocator that a manager has chosen for it. */
+  Map<String, String> floorAllocators();
+
   /** Tasks that have not ended, in the order in which they came. */
   List<OpenTask> openTasks();
 
@@ -121,6 +124,11 @@ public interface FleetStore {
    * @param hold null: the floor's robots go on
    */
   void saveFloorHold(String floor, @Nullable Hold hold, List<EventRecord> events);
+
+  /**
+   * @param allocator its word; null: that of the configuration
+   */
+  void saveFloorAllocator(String floor, @Nullable String allocator, List<EventRecord> events);
 
   /** All of them, or none. */
   void saveMissions(List<MissionChange> changes);

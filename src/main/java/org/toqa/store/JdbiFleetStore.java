@@ -169,6 +169,30 @@ public final class JdbiFleetStore implements FleetStore, TaskArchive {
         events);
   }
 
+  @Override
+  public Map<String, String> floorAllocators() {
+    return sql.withHandle(
+        h ->
+            h.createQuery("select floor, allocator from floor_allocators")
+                .setMapKeyColumn("floor")
+                .setMapValueColumn("allocator")
+                .collectInto(new GenericType<Map<String, String>>() {}));
+  }
+
+  @Override
+  public void saveFloorAllocator(
+      String floor, @Nullable String allocator, List<EventRecord> events) {
+    change(
+        h -> {
+          h.execute("delete from floor_allocators where floor = ?", floor);
+          if (allocator != null) {
+            h.execute(
+                "insert into floor_allocators (floor, allocator) values (?, ?)", floor, allocator);
+          }
+        },
+        events);
+  }
+
   // --- tasks ------------------------------------------------------------------------------------
 
   @Override

@@ -3,7 +3,6 @@ package org.toqa.fleet;
 import java.time.Duration;
 import java.time.Instant;
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Locale;
@@ -114,11 +113,7 @@ final class FleetScenario {
       } else if (carries.matches()) {
         maxLoads.put(carries.group(1), Double.parseDouble(carries.group(2)));
       } else if (allocates.matches()) {
-        policy =
-            Arrays.stream(Policy.values())
-                .filter(known -> known.word().equals(allocates.group(1)))
-                .findFirst()
-                .orElseThrow();
+        policy = Policy.ofWord(allocates.group(1)).orElseThrow();
       } else if (turns.matches()) {
         maxTurnRates.put(turns.group(1), Double.parseDouble(turns.group(2)));
       } else if (!line.isBlank() && !line.startsWith("# ")) {

@@ -32,8 +32,9 @@ public abstract class SnapshotsInMemory implements SnapshotFeed {
   final Condition withChange = lock.newCondition();
   FleetSnapshot latest =
       new FleetSnapshot(
-          1, Hall.START, List.of(), List.of(), 0, List.of(), null, Map.of(), List.of());
+          1, Hall.START, List.of(), List.of(), 0, List.of(), null, Map.of(), Map.of(), List.of());
   List<FloorView> floors = List.of();
+  Map<String, String> allocators = Map.of();
   List<Sentence> alerts = List.of();
   List<Sentence> failures = List.of();
   @Nullable Hold pause;
@@ -160,6 +161,7 @@ public abstract class SnapshotsInMemory implements SnapshotFeed {
             floors,
             pause,
             Map.of(),
+            allocators,
             alerts);
     withChange.signalAll();
   }

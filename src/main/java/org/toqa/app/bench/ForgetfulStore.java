@@ -34,6 +34,11 @@ final class ForgetfulStore implements FleetStore {
   }
 
   @Override
+  public Map<String, String> floorAllocators() {
+    return Map.of();
+  }
+
+  @Override
   public List<OpenTask> openTasks() {
     return List.of();
   }
@@ -98,6 +103,10 @@ final class ForgetfulStore implements FleetStore {
 
   @Override
   public void saveFloorHold(String floor, @Nullable Hold hold, List<EventRecord> events) {}
+
+  @Override
+  public void saveFloorAllocator(
+      String floor, @Nullable String allocator, List<EventRecord> events) {}
 
   @Override
   public void saveMissions(List<MissionChange> changes) {}

@@ -334,6 +334,13 @@ public final class AgentFleet implements Fleet, AutoCloseable {
   }
 
   @Override
+  public CompletionStage<Answer<Optional<String>>> chooseAllocator(
+      String floor, Optional<String> allocator, String user) {
+    return manager.ask(
+        replyTo -> new ManagerMessage.ChooseAllocator(floor, allocator, user, replyTo));
+  }
+
+  @Override
   public Schedules schedules() {
     return schedules;
   }

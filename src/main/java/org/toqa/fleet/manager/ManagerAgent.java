@@ -16,9 +16,11 @@ import org.apache.pekko.actor.typed.javadsl.AbstractBehavior;
 import org.apache.pekko.actor.typed.javadsl.ActorContext;
 import org.apache.pekko.actor.typed.javadsl.Behaviors;
 import org.apache.pekko.actor.typed.javadsl.Receive;
+import org.apache.pekko.pattern.StatusReply;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 import org.toqa.allocation.AllocationMethod;
+import org.toqa.fleet.Answer;
 import org.toqa.fleet.FleetRules;
 import org.toqa.fleet.FleetRuntime;
 import org.toqa.fleet.FleetStore;
@@ -53,6 +55,7 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
   private final StoreHealthCheck storeHealth;
   private final HoldCommandHandler holdCommands;
   private final LateTaskReporter lateTasks;
+  private final FloorAllocators allocators;
   private final RoundDecider decider;
   private final AllocationRounds rounds;
   private final SnapshotPublisher snapshotPublisher;
@@ -136,13 +139,15 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
                 .collect(Collectors.toUnmodifiableSet()),
             paths);
     this.lateTasks = new LateTaskReporter(fleet, new DeadlineWatch(rules.pace(), toldBefore), self);
+    this.allocators = new FloorAllocators(fleet, method, self);
     health.expectStart();
     this.decider =
         new RoundDecider(
-            _ -> method, context.spawn(NegotiationAgent.of(now, runtime), "negotiation"));
+            allocators::method, context.spawn(NegotiationAgent.of(now, runtime), "negotiation"));
     this.rounds = new AllocationRounds(fleet, decider, paths, self);
     this.snapshotPublisher =
-        new SnapshotPublisher(fleet, rounds, lateTasks, holdCommands, storeHealth, latest);
+        new SnapshotPublisher(
+            fleet, rounds, allocators, lateTasks, holdCommands, storeHealth, latest);
     this.taskCommands =
         new TaskCommandHandler(
             fleet,
@@ -310,6 +315,14 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
       case ManagerMessage.PauseLasts m -> holdCommands.pauseLasts(m.number());
       case ManagerMessage.FloorHoldLasts m -> holdCommands.floorHoldLasts(m);
       case ManagerMessage.FloorHoldEnded m -> holdCommands.floorHoldEnded(m);
+      case ManagerMessage.ChooseAllocator m -> allocators.choose(m);
+      case ManagerMessage.AllocatorStored m -> {
+        allocators.stored(m.command());
+        snapshotPublisher.publish(); // first, so that who is answered sees it
+        m.command()
+            .replyTo()
+            .tell(StatusReply.success(new Answer.Accepted<>(m.command().allocator())));
+      }
       case ManagerMessage.FromFloor m -> handle(m.event());
       case ManagerMessage.AllocationDecided m -> rounds.allocationDecided(m);
       case ManagerMessage.DeadlinesChecked m -> lateTasks.deadlinesChecked(m);

@@ -257,6 +257,21 @@ public sealed interface ManagerMessage {
    */
   record FloorHoldLasts(String floor, long number) implements ManagerMessage, ControlMessage {}
 
+  /**
+   * A manager chooses who decides on a floor which robots carry what.
+   *
+   * @param allocator its word; empty: that of the configuration
+   */
+  record ChooseAllocator(
+      String floor,
+      Optional<String> allocator,
+      String user,
+      ActorRef<StatusReply<Answer<Optional<String>>>> replyTo)
+      implements ManagerMessage {}
+
+  /** That choice is safe. */
+  record AllocatorStored(ChooseAllocator command) implements ManagerMessage {}
+
   /** What a floor tells. */
   record FromFloor(FloorEvent event) implements ManagerMessage {}
 

@@ -26,6 +26,7 @@ final class SnapshotPublisher {
 
   private final FleetState fleet;
   private final AllocationRounds rounds;
+  private final FloorAllocators allocators;
   private final LateTaskReporter lateTasks;
   private final HoldCommandHandler holds;
   private final StoreHealthCheck storeHealth;
@@ -34,12 +35,14 @@ final class SnapshotPublisher {
   SnapshotPublisher(
       FleetState fleet,
       AllocationRounds rounds,
+      FloorAllocators allocators,
       LateTaskReporter lateTasks,
       HoldCommandHandler holds,
       StoreHealthCheck storeHealth,
       LatestSnapshot latest) {
     this.fleet = fleet;
     this.rounds = rounds;
+    this.allocators = allocators;
     this.lateTasks = lateTasks;
     this.holds = holds;
     this.storeHealth = storeHealth;
@@ -79,6 +82,7 @@ final class SnapshotPublisher {
             floorViews(),
             holds.pause(),
             rounds.negotiations(),
+            allocators.words(),
             List.copyOf(alerts)));
   }
 

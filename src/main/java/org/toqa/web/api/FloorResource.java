@@ -10,7 +10,10 @@ import org.toqa.fleet.Answer;
 import org.toqa.fleet.Hold;
 import org.toqa.web.FleetAnswers;
 import org.toqa.web.RequestPath;
+import org.toqa.web.Texts;
 import org.toqa.web.access.Caller;
+import org.toqa.web.input.Fields;
+import org.toqa.wording.Phrase;
 
 /** A floor: whether its robots are on hold. */
 public final class FloorResource extends ApiHandler {
@@ -38,6 +41,34 @@ public final class FloorResource extends ApiHandler {
         response,
         floor,
         services(request).fleet().resumeFloor(floor, Caller.of(request).name()));
+  }
+
+  /**
+   * @param allocator null: that of the configuration
+   */
+  private record FloorAllocatorJson(String floor, @Nullable String allocator) {}
+
+  public static void allocator(HttpServletRequest request, HttpServletResponse response)
+      throws IOException {
+    String floor = RequestPath.parameter(request, "floor");
+    if (services(request).fleet().floors().stream().noneMatch(f -> f.name().equals(floor))) {
+      throw Problem.of(404, Texts.of(request).text(Phrase.NO_SUCH_FLOOR.with(floor))).exception();
+    }
+    Optional<String> allocator = readBody(request, FloorResource::readAllocator);
+    Optional<String> chosen =
+        acceptedValue(
+            request,
+            FleetAnswers.await(
+                services(request)
+                    .fleet()
+                    .chooseAllocator(floor, allocator, Caller.of(request).name())));
+    Json.send(request, response, 200, new FloorAllocatorJson(floor, chosen.orElse(null)));
+  }
+
+  private static Optional<String> readAllocator(Fields fields) {
+    Optional<String> allocator = Optional.ofNullable(fields.text("allocator"));
+    fields.refuseUnknown();
+    return allocator;
   }
 
   private static void send(

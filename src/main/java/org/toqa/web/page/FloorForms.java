@@ -7,7 +7,6 @@ import java.util.Optional;
 import java.util.concurrent.CompletionStage;
 import org.toqa.fleet.Answer;
 import org.toqa.fleet.Fleet;
-import org.toqa.fleet.Hold;
 import org.toqa.web.ErrorResponse;
 import org.toqa.web.FleetAnswers;
 import org.toqa.web.RequestPath;
@@ -27,9 +26,19 @@ public final class FloorForms extends PageHandler {
     command(request, response, Fleet::resumeFloor);
   }
 
+  public static void allocator(HttpServletRequest request, HttpServletResponse response)
+      throws IOException {
+    Optional<String> allocator =
+        Optional.ofNullable(request.getParameter("allocator")).filter(word -> !word.isEmpty());
+    command(
+        request,
+        response,
+        (fleet, floor, user) -> fleet.chooseAllocator(floor, allocator, user));
+  }
+
   @FunctionalInterface
   private interface FloorCommand {
-    CompletionStage<Answer<Optional<Hold>>> send(Fleet fleet, String floor, String user);
+    CompletionStage<? extends Answer<?>> send(Fleet fleet, String floor, String user);
   }
 
   private static void command(
@@ -41,10 +50,13 @@ public final class FloorForms extends PageHandler {
                 services(request).fleet(),
                 RequestPath.parameter(request, "floor"),
                 Caller.of(request).name()));
-    if (answer instanceof Answer.Unknown<?>(Sentence sentence)) {
-      ErrorResponse.send(request, response, 404, Texts.of(request).text(sentence));
-    } else {
-      redirect(request, response, "/map");
+    Texts texts = Texts.of(request);
+    switch (answer) {
+      case Answer.Unknown<?>(Sentence sentence) ->
+          ErrorResponse.send(request, response, 404, texts.text(sentence));
+      case Answer.Rejected<?>(String _, Sentence sentence) ->
+          ErrorResponse.send(request, response, 422, texts.text(sentence));
+      default -> redirect(request, response, "/map");
     }
   }
 }

@@ -12,6 +12,7 @@ public final class MapPage extends PageHandler {
       throws ServletException, IOException {
     request.setAttribute("floors", services(request).fleet().floors());
     request.setAttribute("floorViews", services(request).fleet().snapshots().latest().floors());
+    request.setAttribute("allocators", services(request).fleet().snapshots().latest().allocators());
     request.setAttribute("robotStates", RobotState.values());
     show(request, response, "map");
   }

@@ -134,6 +134,7 @@ public final class Routes {
           post("/fleet/resume", MANAGER, FleetForms::resume),
           post("/floors/{floor}/hold", MANAGER, FloorForms::hold).with(URGENT),
           post("/floors/{floor}/resume", MANAGER, FloorForms::resume),
+          post("/floors/{floor}/allocator", MANAGER, FloorForms::allocator),
           get("/users", SIGNED_IN, UsersPage::show),
           post("/users", MANAGER, UsersPage::add),
           get("/users/{id}", SIGNED_IN, UserPage::show),
@@ -221,7 +222,8 @@ public final class Routes {
           post("/api/v1/fleet/pause", CLERK, FleetResource::pause).with(URGENT),
           post("/api/v1/fleet/resume", MANAGER, FleetResource::resume),
           post("/api/v1/floors/{floor}/hold", MANAGER, FloorResource::hold).with(URGENT),
-          post("/api/v1/floors/{floor}/resume", MANAGER, FloorResource::resume));
+          post("/api/v1/floors/{floor}/resume", MANAGER, FloorResource::resume),
+          post("/api/v1/floors/{floor}/allocator", MANAGER, FloorResource::allocator));
 
   private Routes() {}
 

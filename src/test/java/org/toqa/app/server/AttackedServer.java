@@ -63,6 +63,7 @@ final class AttackedServer implements AutoCloseable {
           "select id, name, user_name, floor, load_kg, priority, kind, first_at, every_s, weekdays,"
               + " time_of_day, zone, until_at, paused from schedules",
           "select floor from floor_holds",
+          "select floor, allocator from floor_allocators",
           "select id from fleet_pause");
 
   /** Of what attackers have more than people have. */

@@ -94,6 +94,11 @@ final class FormCases {
         FormCase.of("tasks/{held}", "/tasks/{id}/cancel", Map.of(), Map.of("load", REFUSED)),
         FormCase.of("orders/{order}", "/orders/{id}/cancel", Map.of(), Map.of("load", REFUSED)),
         FormCase.of("map", "/fleet/pause", Map.of(), Map.of("back", TAKEN)),
+        FormCase.of(
+            "map",
+            "/floors/{floor}/allocator",
+            Map.of("allocator", "zones"),
+            Map.of("allocator", REFUSED)),
         FormCase.of("schedules", "/schedules/{id}/delete", Map.of(), Map.of("version", CONFLICT)),
         FormCase.of(
             "robots",

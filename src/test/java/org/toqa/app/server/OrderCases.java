@@ -104,6 +104,11 @@ final class OrderCases {
             "{'name':'New{n}','password':'{password}'}",
             Map.of("/name", REFUSED, "/password", PASSWORD, "/role", REFUSED, "/email", REFUSED),
             201),
+        post(
+            "floors/{floor}/allocator",
+            "{'allocator':'zones'}",
+            Map.of("/allocator", REFUSED),
+            200),
         new OrderCase(
             "PUT", "users/{clerk}", json("{'role':'CLERK'}"), Map.of("/role", REFUSED), 200),
         post(
