@@ -43,12 +43,22 @@ public record FleetSnapshot(
 
   /** Of a fleet that nothing is known of yet but whether it is paused. */
   public static FleetSnapshot initial(Instant at, @Nullable Hold pause) {
-    return new FleetSnapshot(0, at, List.of(), List.of(), 0, List.of(), pause, Map.of(), Map.of(), List.of());
+    return new FleetSnapshot(
+        0, at, List.of(), List.of(), 0, List.of(), pause, Map.of(), Map.of(), List.of());
   }
 
   /** The same with another version and other alerts. */
   public FleetSnapshot with(long otherVersion, List<Sentence> otherAlerts) {
     return new FleetSnapshot(
-        otherVersion, at, robots, tasks, queuedCount, floors, pause, negotiations, allocators, otherAlerts);
+        otherVersion,
+        at,
+        robots,
+        tasks,
+        queuedCount,
+        floors,
+        pause,
+        negotiations,
+        allocators,
+        otherAlerts);
   }
 }

@@ -36,8 +36,7 @@ import org.toqa.wording.Sentence;
 class ExchangeCrashTest {
   private static final int WRITES = 4;
   private static final Set<String> READS =
-      Set.of(
-          "storedRobots", "pause", "floorAllocators", "openTasks", "drive", "checkAvailable");
+      Set.of("storedRobots", "pause", "floorAllocators", "openTasks", "drive", "checkAvailable");
 
   private static final FloorMap FLOOR =
       new FloorMap(

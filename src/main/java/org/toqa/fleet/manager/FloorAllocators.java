@@ -31,15 +31,11 @@ final class FloorAllocators {
 
   private final Map<String, AllocationMethod> methods = new HashMap<>();
 
-  FloorAllocators(
-      FleetState fleet, AllocationMethod configured, ActorRef<ManagerMessage> self) {
+  FloorAllocators(FleetState fleet, AllocationMethod configured, ActorRef<ManagerMessage> self) {
     this.fleet = fleet;
     this.configured = configured;
     this.self = self;
-    fleet
-        .store
-        .floorAllocators()
-        .forEach((floor, word) -> apply(floor, Policy.ofWord(word)));
+    fleet.store.floorAllocators().forEach((floor, word) -> apply(floor, Policy.ofWord(word)));
   }
 
   AllocationMethod method(String floor) {

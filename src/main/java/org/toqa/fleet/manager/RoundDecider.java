@@ -64,10 +64,9 @@ final class RoundDecider {
 
   private CompletableFuture<DecidedRound> negotiate(
       AllocationProblem problem, boolean isBinding, Executor executor, Instant now) {
-    return CompletableFuture.supplyAsync(
-            () -> hold(new Negotiation(number.incrementAndGet(), problem, isBinding), now),
-            executor)
-        .thenCompose(end -> end)
+    return CompletableFuture.completedFuture(
+            new Negotiation(number.incrementAndGet(), problem, isBinding))
+        .thenComposeAsync(negotiation -> hold(negotiation, now), executor)
         .thenApply(over -> new DecidedRound(over.decisions(), over.lines(), over.isUnfinished()));
   }
 

@@ -31,9 +31,7 @@ public final class FloorForms extends PageHandler {
     Optional<String> allocator =
         Optional.ofNullable(request.getParameter("allocator")).filter(word -> !word.isEmpty());
     command(
-        request,
-        response,
-        (fleet, floor, user) -> fleet.chooseAllocator(floor, allocator, user));
+        request, response, (fleet, floor, user) -> fleet.chooseAllocator(floor, allocator, user));
   }
 
   @FunctionalInterface

@@ -104,7 +104,8 @@ class FleetMeterTest {
   }
 
   private static FleetSnapshot snapshot(List<RobotView> robots, List<TaskView> tasks) {
-    return new FleetSnapshot(1, NOON, robots, tasks, 0, List.of(), null, Map.of(), Map.of(), List.of());
+    return new FleetSnapshot(
+        1, NOON, robots, tasks, 0, List.of(), null, Map.of(), Map.of(), List.of());
   }
 
   private static TaskView task(long id, TaskState state) {

@@ -71,7 +71,8 @@ class GoalRecorderTest {
 
   private void observe(List<RobotView> robots, List<TaskView> tasks) {
     recorder.observe(
-        new FleetSnapshot(1, NOON, robots, tasks, 0, List.of(), null, Map.of(), Map.of(), List.of()));
+        new FleetSnapshot(
+            1, NOON, robots, tasks, 0, List.of(), null, Map.of(), Map.of(), List.of()));
   }
 
   /** From the middle of a cell of row 0 to another one's. */

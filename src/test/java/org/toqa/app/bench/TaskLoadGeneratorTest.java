@@ -28,7 +28,8 @@ class TaskLoadGeneratorTest {
             task(2, TaskState.ASSIGNED),
             task(1, TaskState.DONE));
     FleetSnapshot snapshot =
-        new FleetSnapshot(1, NOON, List.of(), shown, 240, List.of(), null, Map.of(), Map.of(), List.of());
+        new FleetSnapshot(
+            1, NOON, List.of(), shown, 240, List.of(), null, Map.of(), Map.of(), List.of());
 
     assertEquals(242, TaskLoadGenerator.openTasks(snapshot)); // 240 queued, and 3 and 2
   }
