@@ -64,6 +64,15 @@ static bool change_numbered(const char *what, unsigned number, const char *how)
         chip_rig()->motors[number].is_pushed = strcmp(how, "pushed") == 0;
         return true;
     }
+    if (strcmp(what, "size") == 0 && number < RIG_WHEELS) {
+        int ppm;
+
+        if (sscanf(how, "%d", &ppm) != 1) {
+            return false;
+        }
+        chip_rig()->motors[number].larger = ppm * 1e-6;
+        return true;
+    }
     if (strcmp(what, "controller") == 0 && number < RIG_WHEELS) {
         lm629_board_controllers()[number].is_dead = strcmp(how, "dead") == 0;
         return true;

@@ -19,9 +19,11 @@ void panel_write(struct panel *panel, const struct robot *robot)
         write_line(panel->lines[1], "STOPPED: ", stop_text(robot->stop.reasons));
         break;
     case ROBOT_STANDING:
+    case ROBOT_PATH_STANDING:
         write_line(panel->lines[1], "READY", "");
         break;
     case ROBOT_DRIVING:
+    case ROBOT_PATH_DRIVING:
         write_line(panel->lines[1], "DRIVING", "");
         break;
     }

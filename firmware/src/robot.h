@@ -53,6 +53,7 @@ struct robot {
     struct range range;
     struct velocity_command velocity_command;
     struct motion motion;
+    uint16_t path; /* the number of the last one that was begun; 0 before the first */
     uint8_t missing_floor;
     uint32_t now_ms;
     struct conversation conversation;

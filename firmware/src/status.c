@@ -27,5 +27,8 @@ void status_write(const struct status *status, uint8_t frame[FRAME_LENGTH])
     put_u16(frame + 48, status->segments_driven);
     put_u16(frame + 50, status->bad_frames);
     put_u16(frame + 52, status->lost_bytes);
+    put_u16(frame + 54, status->path);
+    frame[56] = status->pace;
+    put_u32(frame + 58, status->covered_us);
     frame_seal(frame, STATUS_KIND, status->sequence);
 }

@@ -7,7 +7,7 @@ import java.util.Optional;
 import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
 import org.toqa.agent.chassis.SimulatedWheels;
-import org.toqa.agent.config.MotionLimits;
+import org.toqa.agent.drive.MotionLimits;
 import org.toqa.agent.drive.DriveRules;
 import org.toqa.agent.drive.PaceLimits;
 import org.toqa.agent.drive.ReferenceTrajectory;

@@ -14,6 +14,16 @@ public sealed interface ChassisConfig {
     return 1;
   }
 
+  /** Metres a second: no faster may it be told to drive. */
+  default double mostSpeed() {
+    return 1;
+  }
+
+  /** Radians a second, likewise. */
+  default double mostTurnRate() {
+    return 10;
+  }
+
   /**
    * A body that is simulated as a whole.
    *
@@ -31,6 +41,16 @@ public sealed interface ChassisConfig {
       double timeFactor,
       Surroundings surroundings)
       implements ChassisConfig {
+
+    @Override
+    public double mostSpeed() {
+      return 5;
+    }
+
+    @Override
+    public double mostTurnRate() {
+      return 20;
+    }
 
     /** One on an endless empty floor. */
     public Simulated(Pose start, SimulatedBattery power, double noise, long seed, double speed) {

@@ -11,6 +11,9 @@ import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 import org.toqa.agent.chassis.Chassis;
+import org.toqa.agent.chassis.ChassisCommand;
+import org.toqa.agent.chassis.ChassisCommand.DrivePath;
+import org.toqa.agent.chassis.ChassisCommand.MoveAt;
 import org.toqa.agent.chassis.ChassisReading;
 import org.toqa.agent.firmware.FirmwareCommand.Caption;
 import org.toqa.agent.firmware.FirmwareCommand.Clear;
@@ -25,8 +28,8 @@ import org.toqa.motion.ThreeWheelKinematics;
 import org.toqa.motion.WheelSpeeds;
 
 /**
- * The real body: a microcontroller that is sent a velocity at every tick, and seldom while it is
- * stopped, which spares the processor of the robot. A stop that may be cleared without a person, by
+ * The real body: a microcontroller that is sent a velocity or the segments of a path at every tick,
+ * and seldom while it is stopped, which spares the processor of the robot. A stop that may be cleared without a person, by
  * power-up or by a link that was silent, is cleared here.
  */
 public final class FirmwareChassis implements Chassis {
@@ -72,6 +75,7 @@ public final class FirmwareChassis implements Chassis {
   private final @Nullable Pose start;
   private final boolean hasRangeSensors;
   private final BatteryGauge battery = new BatteryGauge();
+  private final PathSender paths = new PathSender();
   private FirmwareStatus status;
   private Twist twist = Twist.ZERO;
   private FirmwareCommand lastCommand = STANDSTILL;
@@ -137,7 +141,7 @@ public final class FirmwareChassis implements Chassis {
   }
 
   @Override
-  public ChassisReading exchange(Twist wanted, long nanos) {
+  public ChassisReading exchange(ChassisCommand wanted, long nanos) {
     FirmwareCommand command = nextCommand(wanted);
     if (isAtRest(command) && nanos - exchangedNanos < STANDSTILL_INTERVAL_NANOS) {
       return reading();
@@ -205,7 +209,7 @@ public final class FirmwareChassis implements Chassis {
     transport.close();
   }
 
-  private FirmwareCommand nextCommand(Twist wanted) {
+  private FirmwareCommand nextCommand(ChassisCommand wanted) {
     PendingClear pending = pendingClear;
     if (pending != null && pending.sends() < CLEAR_SENDS) {
       return pending.clear();
@@ -229,7 +233,10 @@ public final class FirmwareChassis implements Chassis {
       isCaptionSent = true;
       return new Caption(caption);
     }
-    return new Velocity(wanted);
+    return switch (wanted) {
+      case MoveAt(Twist velocity) -> new Velocity(velocity);
+      case DrivePath path -> paths.next(path, status);
+    };
   }
 
   private Set<StopReason> stops(Predicate<StopReason> wanted) {
@@ -281,7 +288,8 @@ public final class FirmwareChassis implements Chassis {
         unanswered == 0 ? twist : Twist.ZERO,
         status.stopReasons().contains(StopReason.BATTERY) ? 0 : battery.charge(), // it says so
         hasRangeSensors ? status.ranges() : List.of(),
-        faults());
+        faults(),
+        paths.progress(status));
   }
 
   private List<Fault> faults() {

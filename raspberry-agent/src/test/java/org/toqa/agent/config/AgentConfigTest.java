@@ -15,6 +15,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.toqa.agent.EndedCommand;
 import org.toqa.agent.chassis.SimulatedBattery;
+import org.toqa.agent.drive.MotionLimits;
 import org.toqa.geometry.Pose;
 
 class AgentConfigTest {
@@ -99,6 +100,7 @@ class AgentConfigTest {
           {name: r1, dataDir: d, port: 70000} | "port" is 70000; it must be a whole number from 0 to 65535.
           {name: r1, dataDir: d, port: 1.5}   | "port" is 1.5; it must be a whole number from 0 to 65535.
           {name: r1, dataDir: d, maxSpeed: 9} | "maxSpeed" is 9; it must be a number from 0.01 to 5.
+          {name: r1, dataDir: d, maxSpeed: 2, chassis: {type: spi}} | "maxSpeed" is 2; it must be a number from 0.01 to 1.
           {name: r1, dataDir: d, maxSpeed: .nan} | "maxSpeed" is NaN; it must be a number from 0.01 to 5.
           {name: r1, dataDir: d, maxSpeed: fast} | "maxSpeed" is fast; it must be a number from 0.01 to 5.
           {name: r1, dataDir: d, plainTcpOffLoopback: maybe} | "plainTcpOffLoopback" is maybe; it must be true or false.
