@@ -94,6 +94,16 @@ static enum answer read_caption(char *caption, const uint8_t *payload)
     return ANSWER_DONE;
 }
 
+static enum answer read_settings(struct settings *settings, const uint8_t *payload)
+{
+    settings->wheel_radius_um = get_u32(payload);
+    settings->centre_to_wheel_um = get_u32(payload + 4);
+    for (uint8_t i = 0; i < BODY_FLOOR_SENSORS; i++) {
+        settings->floor_mv[i] = get_u16(payload + 8 + 2 * i);
+    }
+    return answer_if(settings_are_good(settings));
+}
+
 enum answer command_read(struct command *command, const uint8_t frame[FRAME_LENGTH])
 {
     const uint8_t *payload = frame + FRAME_PAYLOAD;
@@ -116,6 +126,8 @@ enum answer command_read(struct command *command, const uint8_t frame[FRAME_LENG
         return answer_if(payload[2] <= 1);
     case COMMAND_CAPTION:
         return read_caption(command->as.caption, payload);
+    case COMMAND_SETTINGS:
+        return read_settings(&command->as.settings, payload);
     default:
         return ANSWER_UNKNOWN_KIND;
     }

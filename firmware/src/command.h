@@ -8,6 +8,7 @@
 #include "frame.h"
 #include "pose.h"
 #include "segment.h"
+#include "settings.h"
 #include "twist.h"
 
 enum command_kind {
@@ -17,6 +18,7 @@ enum command_kind {
     COMMAND_SEGMENTS = 0x03,
     COMMAND_CLEAR = 0x04,
     COMMAND_CAPTION = 0x05,
+    COMMAND_SETTINGS = 0x06,
 };
 
 enum answer {
@@ -28,6 +30,7 @@ enum answer {
     ANSWER_UNKNOWN_KIND = 5,
     ANSWER_NOT_CLEARED = 6,
     ANSWER_NOT_ON_PATH = 7,
+    ANSWER_DRIVES = 8,
 };
 
 enum {
@@ -66,6 +69,7 @@ struct command {
             bool by_person;
         } clear;
         char caption[CAPTION_LENGTH];
+        struct settings settings;
     } as;
 };
 

@@ -6,7 +6,12 @@
 #include "drive.h"
 #include "slew.h"
 
-enum { VELOCITY_LIFE_MS = 200 };
+enum {
+    VELOCITY_LIFE_MS = 200,
+    HOT_CELSIUS = 85,
+    SWITCH_PERIOD_MS = 16, /* contacts have settled after less; a power of two */
+    SWITCH_DISPLAY = 1,
+};
 
 /* A path that begins farther away, 0.5 m in x or y, is none of this robot's. */
 static const int64_t NEAR_UM_Q16 = INT64_C(500000) << 16;
@@ -28,13 +33,16 @@ static void brake(struct robot *robot)
     stop_set_cause(&robot->stop, STOP_DRIVE, !drive_stop());
 }
 
-void robot_begin(struct robot *robot, enum stop_reason reason, uint16_t power_cycle)
+void robot_begin(struct robot *robot, enum stop_reason reason, uint16_t power_cycle,
+                 const struct settings *settings)
 {
     static const int32_t zero[BODY_WHEELS] = {0, 0, 0};
 
     memset(robot, 0, sizeof *robot);
     stop_begin(&robot->stop, reason);
-    odometry_begin(&robot->odometry, zero);
+    robot->settings = *settings;
+    robot->wheel_scale = wheel_scale_of(settings);
+    odometry_begin(&robot->odometry, zero, settings);
     segment_runner_begin(&robot->segment_runner);
     stall_begin(&robot->stall, zero);
     battery_begin(&robot->battery);
@@ -115,6 +123,29 @@ static enum answer go_on(struct robot *robot, const struct path_segments *more)
     return add_segments(robot, more);
 }
 
+static bool is_moving(const struct robot *robot)
+{
+    enum robot_state state = robot_state(robot);
+
+    return state == ROBOT_DRIVING || state == ROBOT_PATH_DRIVING || robot->motion.has_turned;
+}
+
+/* A robot that moves keeps its wheels. */
+static enum answer set_settings(struct robot *robot, const struct settings *settings)
+{
+    if (settings_are_same(settings, &robot->settings)) {
+        return ANSWER_DONE;
+    }
+    if (is_moving(robot)) {
+        return ANSWER_DRIVES;
+    }
+    robot->settings = *settings;
+    robot->wheel_scale = wheel_scale_of(settings);
+    odometry_set_wheels(&robot->odometry, settings);
+    segment_runner_stop(&robot->segment_runner); /* its reference is of the wheels before */
+    return ANSWER_DONE;
+}
+
 static enum answer execute(struct robot *robot, const struct command *command)
 {
     switch (command->kind) {
@@ -131,6 +162,8 @@ static enum answer execute(struct robot *robot, const struct command *command)
     case COMMAND_CAPTION:
         memcpy(robot->caption, command->as.caption, CAPTION_LENGTH);
         return ANSWER_DONE;
+    case COMMAND_SETTINGS:
+        return set_settings(robot, &command->as.settings);
     case COMMAND_POLL:
         break;
     }
@@ -157,18 +190,45 @@ void robot_handle_frame(struct robot *robot, const uint8_t frame[FRAME_LENGTH])
     conversation->answer = answer == ANSWER_DONE ? execute(robot, &command) : answer;
 }
 
+static uint8_t missing_floor(const struct robot *robot, const struct robot_inputs *inputs)
+{
+    uint8_t missing = 0;
+
+    for (uint8_t i = 0; i < BODY_FLOOR_SENSORS; i++) {
+        if (inputs->floor_mv[i] < robot->settings.floor_mv[i]) {
+            missing = (uint8_t)(missing | 1U << i);
+        }
+    }
+    return missing;
+}
+
+/* Pressed and released, switch 2 changes what the display shows. */
+static void update_switches(struct robot *robot, uint8_t pressed)
+{
+    uint8_t released = (uint8_t)(robot->pressed_switches & ~pressed);
+
+    if ((released & SWITCH_DISPLAY) != 0) {
+        robot->shows_measurements = !robot->shows_measurements;
+    }
+    robot->pressed_switches = pressed;
+}
+
 static void update_inputs(struct robot *robot, const struct robot_inputs *inputs)
 {
     struct stop *stop = &robot->stop;
 
-    robot->missing_floor = inputs->missing_floor;
+    robot->missing_floor = missing_floor(robot, inputs);
+    robot->temperature = inputs->temperature;
+    if ((uint8_t)robot->now_ms % SWITCH_PERIOD_MS == 0) {
+        update_switches(robot, inputs->pressed_switches);
+    }
     battery_update(&robot->battery, inputs->battery_mv, 1);
     range_elapse(&robot->range, 1);
     stop_set_cause(stop, STOP_LINK,
                    robot->now_ms - robot->conversation.last_frame_ms >= STOP_LINK_MS);
     stop_set_cause(stop, STOP_SWITCH, inputs->is_stop_pressed);
-    stop_set_cause(stop, STOP_EDGE, inputs->missing_floor != 0);
-    stop_set_cause(stop, STOP_HEAT, inputs->is_hot);
+    stop_set_cause(stop, STOP_EDGE, robot->missing_floor != 0);
+    stop_set_cause(stop, STOP_HEAT, inputs->is_hot || inputs->temperature >= HOT_CELSIUS);
     stop_set_cause(stop, STOP_BATTERY, battery_is_low(&robot->battery));
 }
 
@@ -226,7 +286,7 @@ static void turn_wheels(struct robot *robot)
         return;
     }
     slew_towards(&robot->motion.twist, &wanted, DRIVE_PERIOD_MS);
-    wheel_rates_from_twist(&robot->motion.twist, &robot->motion.rates);
+    wheel_rates_from_twist(&robot->wheel_scale, &robot->motion.twist, &robot->motion.rates);
     wheel_rates_limit(&robot->motion.rates);
     if (!drive_turn(&robot->motion.rates)) {
         stop_set_cause(&robot->stop, STOP_DRIVE, true);
@@ -283,6 +343,8 @@ void robot_fill_status(const struct robot *robot, struct status *status)
     memcpy(status->range_mm, robot->range.mm, sizeof status->range_mm);
     status->battery_mv = battery_mv(&robot->battery);
     status->missing_floor = robot->missing_floor;
+    status->pressed_switches = robot->pressed_switches;
+    status->temperature = robot->temperature;
     status->queue_free = (uint8_t)(SEGMENT_QUEUE_LENGTH - robot->segment_runner.queue.count);
     status->segments_driven = robot->segment_runner.queue.driven;
     status->path = robot->path;

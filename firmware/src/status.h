@@ -33,6 +33,8 @@ struct status {
     uint16_t range_mm[RANGE_SENSORS];
     uint16_t battery_mv;
     uint8_t missing_floor;
+    uint8_t pressed_switches; /* bit 0 to 2: switches 2 to 4 */
+    int8_t temperature;       /* degrees Celsius */
     uint8_t queue_free;
     uint16_t segments_driven;
     uint16_t path;

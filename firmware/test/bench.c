@@ -8,10 +8,15 @@
 
 void bench_begin(struct bench *bench)
 {
+    struct settings settings = settings_default();
+
     memset(bench, 0, sizeof *bench);
     bench_drive_begin(&bench->rig);
     bench->inputs.battery_mv = 16000;
-    robot_begin(&bench->robot, STOP_POWER_UP, 1);
+    for (int i = 0; i < BODY_FLOOR_SENSORS; i++) {
+        bench->inputs.floor_mv[i] = 3000;
+    }
+    robot_begin(&bench->robot, STOP_POWER_UP, 1, &settings);
 }
 
 void bench_live(struct bench *bench, uint32_t ms)
@@ -103,6 +108,18 @@ enum answer bench_clear(struct bench *bench, uint16_t reasons, bool by_person)
     put_u16(frame + 4, reasons);
     frame[6] = by_person;
     return say(bench, frame, COMMAND_CLEAR);
+}
+
+enum answer bench_settings(struct bench *bench, const struct settings *settings)
+{
+    uint8_t frame[FRAME_LENGTH] = {0};
+
+    put_u32(frame + 4, settings->wheel_radius_um);
+    put_u32(frame + 8, settings->centre_to_wheel_um);
+    for (int i = 0; i < BODY_FLOOR_SENSORS; i++) {
+        put_u16(frame + 12 + 2 * i, settings->floor_mv[i]);
+    }
+    return say(bench, frame, COMMAND_SETTINGS);
 }
 
 struct status bench_status(const struct bench *bench)

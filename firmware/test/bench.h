@@ -31,6 +31,7 @@ enum answer bench_path(struct bench *bench, uint16_t number, const struct segmen
 enum answer bench_segments(struct bench *bench, uint16_t path, uint16_t first, bool is_onward,
                            const struct segment *segments, uint8_t count);
 enum answer bench_clear(struct bench *bench, uint16_t reasons, bool by_person);
+enum answer bench_settings(struct bench *bench, const struct settings *settings);
 struct status bench_status(const struct bench *bench);
 
 #endif

@@ -101,6 +101,17 @@ static void check_command(const struct golden *golden)
         CHECK_EQUAL(value(golden, "reasons"), command.as.clear.reasons);
         CHECK_EQUAL(value(golden, "by"), command.as.clear.by_person);
         break;
+    case COMMAND_SETTINGS:
+        CHECK(is_kind(golden, "settings"));
+        CHECK_EQUAL(value(golden, "wheel_radius_um"), command.as.settings.wheel_radius_um);
+        CHECK_EQUAL(value(golden, "centre_to_wheel_um"), command.as.settings.centre_to_wheel_um);
+        for (unsigned i = 0; i < BODY_FLOOR_SENSORS; i++) {
+            char key[16];
+
+            snprintf(key, sizeof key, "floor%u_mv", i + 1);
+            CHECK_EQUAL(value(golden, key), command.as.settings.floor_mv[i]);
+        }
+        break;
     case COMMAND_CAPTION:
         CHECK(is_kind(golden, "caption"));
         CHECK(memcmp(strstr(golden->text, "text=") + 5, command.as.caption, CAPTION_LENGTH) == 0);
@@ -127,6 +138,8 @@ static void check_status(const struct golden *golden)
                      (uint16_t)value(golden, "range3_mm")},
         .battery_mv = (uint16_t)value(golden, "battery_mv"),
         .missing_floor = (uint8_t)value(golden, "floor"),
+        .pressed_switches = (uint8_t)value(golden, "switches"),
+        .temperature = (int8_t)value(golden, "temperature"),
         .queue_free = (uint8_t)value(golden, "queue_free"),
         .segments_driven = (uint16_t)value(golden, "segments"),
         .path = (uint16_t)value(golden, "path"),

@@ -89,11 +89,11 @@ static void edge_stops_in_50_ms_until_a_person_says_otherwise(void)
     struct bench bench;
 
     drive_fast(&bench);
-    bench.inputs.missing_floor = 0x04;
+    bench.inputs.floor_mv[2] = 999;
     CHECK(seconds_to_stand(&bench, 150) <= 0.050);
     CHECK_EQUAL(STOP_EDGE, bench_status(&bench).stop_reasons);
     CHECK_EQUAL(ANSWER_NOT_CLEARED, bench_clear(&bench, STOP_EDGE, true));
-    bench.inputs.missing_floor = 0;
+    bench.inputs.floor_mv[2] = 1000;
     bench_live_polled(&bench, 20);
     CHECK_EQUAL(ANSWER_NOT_CLEARED, bench_clear(&bench, STOP_EDGE, false));
     CHECK_EQUAL(STOP_EDGE, bench_status(&bench).stop_reasons);
@@ -340,6 +340,68 @@ static void velocity_drops_the_path(void)
     CHECK(rig_fastest_rim(&bench.rig) < STOPPED_M_S);
 }
 
+static void each_floor_sensor_has_its_threshold(void)
+{
+    struct settings settings = settings_default();
+
+    for (int i = 0; i < BODY_FLOOR_SENSORS; i++) {
+        struct bench bench;
+
+        bench_begin(&bench);
+        settings.floor_mv[i] = (uint16_t)(2000 + 100 * i);
+        CHECK_EQUAL(ANSWER_DONE, bench_settings(&bench, &settings));
+        for (int sensor = 0; sensor < BODY_FLOOR_SENSORS; sensor++) {
+            bench.inputs.floor_mv[sensor] = settings.floor_mv[sensor];
+        }
+        bench_live_polled(&bench, 20);
+        CHECK_EQUAL(0, bench_status(&bench).missing_floor);
+        bench.inputs.floor_mv[i]--;
+        bench_live_polled(&bench, 20);
+        CHECK_EQUAL(1 << i, bench_status(&bench).missing_floor);
+    }
+}
+
+static void settings_are_taken_within_their_bounds_by_a_robot_that_stands(void)
+{
+    struct settings settings = settings_default();
+    struct bench bench;
+
+    drive_fast(&bench);
+    CHECK_EQUAL(ANSWER_DONE, bench_settings(&bench, &settings)); /* it has them */
+    settings.wheel_radius_um = 50000;
+    CHECK_EQUAL(ANSWER_DRIVES, bench_settings(&bench, &settings));
+    bench_live_polled(&bench, 1000);
+    CHECK_EQUAL(ANSWER_DONE, bench_settings(&bench, &settings));
+    settings.wheel_radius_um = SETTINGS_MOST_WHEEL_RADIUS_UM + 1;
+    CHECK_EQUAL(ANSWER_OUT_OF_RANGE, bench_settings(&bench, &settings));
+    settings.wheel_radius_um = 40000;
+    settings.centre_to_wheel_um = SETTINGS_LEAST_CENTRE_TO_WHEEL_UM - 1;
+    CHECK_EQUAL(ANSWER_OUT_OF_RANGE, bench_settings(&bench, &settings));
+    settings.centre_to_wheel_um = 100000;
+    settings.floor_mv[4] = SETTINGS_MOST_FLOOR_MV + 1;
+    CHECK_EQUAL(ANSWER_OUT_OF_RANGE, bench_settings(&bench, &settings));
+    CHECK_EQUAL(50000, bench.robot.settings.wheel_radius_um);
+}
+
+static void switches_and_temperature_are_told(void)
+{
+    struct bench bench;
+
+    bench_begin(&bench);
+    bench.inputs.temperature = 84;
+    bench.inputs.pressed_switches = 0x5;
+    bench_live_polled(&bench, 100);
+    CHECK_EQUAL(84, bench_status(&bench).temperature);
+    CHECK_EQUAL(0x5, bench_status(&bench).pressed_switches);
+    CHECK_EQUAL(0, bench_status(&bench).stop_reasons & STOP_HEAT);
+    CHECK(!bench.robot.shows_measurements);
+    bench.inputs.pressed_switches = 0;
+    bench.inputs.temperature = 85;
+    bench_live_polled(&bench, 100);
+    CHECK(bench.robot.shows_measurements);
+    CHECK_EQUAL(STOP_HEAT, bench_status(&bench).stop_reasons & STOP_HEAT);
+}
+
 void robot_tests(void)
 {
     drives_arc_straight_and_stop();
@@ -359,4 +421,7 @@ void robot_tests(void)
     cut_link_stops_on_the_path_and_drops_it();
     held_robot_slows_down_on_its_path_and_goes_on();
     velocity_drops_the_path();
+    each_floor_sensor_has_its_threshold();
+    settings_are_taken_within_their_bounds_by_a_robot_that_stands();
+    switches_and_temperature_are_told();
 }

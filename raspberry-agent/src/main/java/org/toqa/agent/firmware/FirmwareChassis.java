@@ -18,6 +18,7 @@ import org.toqa.agent.chassis.ChassisReading;
 import org.toqa.agent.firmware.FirmwareCommand.Caption;
 import org.toqa.agent.firmware.FirmwareCommand.Clear;
 import org.toqa.agent.firmware.FirmwareCommand.Poll;
+import org.toqa.agent.firmware.FirmwareCommand.Settings;
 import org.toqa.agent.firmware.FirmwareCommand.Velocity;
 import org.toqa.agent.firmware.FirmwareStatus.Answer;
 import org.toqa.geometry.Pose;
@@ -36,7 +37,6 @@ public final class FirmwareChassis implements Chassis {
 
   private static final Logger log = LoggerFactory.getLogger(FirmwareChassis.class);
 
-  private static final ThreeWheelKinematics WHEELS = ThreeWheelKinematics.DEFAULT;
   private static final double RADIANS_A_COUNT = 2 * Math.PI / Odometry.COUNTS_PER_WHEEL_TURN;
 
   /** Exchanges until a microcontroller that was just switched on answers. */
@@ -64,6 +64,12 @@ public final class FirmwareChassis implements Chassis {
   private static final Fault SILENT =
       new Fault("CHASSIS_SILENT", "The robot's microcontroller does not answer.");
 
+  private static final Fault NO_SETTINGS =
+      new Fault(
+          "CHASSIS_SETTINGS",
+          "The robot's microcontroller does not take the measures of its wheels: its firmware is"
+              + " another version than the daemon.");
+
   private static final Fault BLIND =
       new Fault(
           "RANGE_SENSORS",
@@ -75,6 +81,8 @@ public final class FirmwareChassis implements Chassis {
   private final @Nullable Pose start;
   private final boolean hasRangeSensors;
   private final BatteryGauge battery = new BatteryGauge();
+  private final ThreeWheelKinematics wheels;
+  private final SettingsSender settings;
   private final PathSender paths = new PathSender();
   private FirmwareStatus status;
   private Twist twist = Twist.ZERO;
@@ -110,6 +118,7 @@ public final class FirmwareChassis implements Chassis {
    * @param start where the body was when it was switched on for the first time, map frame, if
    *     somebody has put it there
    * @param hasRangeSensors whether it must see to drive; false: what it says of ranges is ignored
+   * @param settings of this robot
    * @param nanos now, nanoseconds on the daemon's monotonic clock
    * @throws IOException if no microcontroller answers
    */
@@ -118,9 +127,12 @@ public final class FirmwareChassis implements Chassis {
       String caption,
       @Nullable Pose start,
       boolean hasRangeSensors,
+      FirmwareSettings settings,
       long nanos)
       throws IOException {
     this.transport = transport;
+    this.wheels = settings.wheels();
+    this.settings = new SettingsSender(settings);
     this.caption = caption;
     this.start = start;
     this.hasRangeSensors = hasRangeSensors;
@@ -172,7 +184,8 @@ public final class FirmwareChassis implements Chassis {
       sequence = pending.sequence();
       return;
     }
-    sequence = (sequence + 1) % FrameCodec.SEQUENCES;
+    int next = (sequence + 1) % FrameCodec.SEQUENCES;
+    sequence = command instanceof Settings ? settings.sequence(next) : next;
     if (command instanceof Clear clear && clear.byPerson()) {
       pendingClear = new PendingClear(clear, sequence, status.powerCycle(), 1);
     }
@@ -196,6 +209,7 @@ public final class FirmwareChassis implements Chassis {
     return command.equals(STANDSTILL)
         && command.equals(lastCommand)
         && unanswered == 0
+        && settings.isTaken(status)
         && reading().isStanding();
   }
 
@@ -229,6 +243,10 @@ public final class FirmwareChassis implements Chassis {
     if (!own.isEmpty()) {
       return new Clear(own, false);
     }
+    Optional<FirmwareCommand> first = settings.next(status);
+    if (first.isPresent()) {
+      return first.get();
+    }
     if (!isCaptionSent) {
       isCaptionSent = true;
       return new Caption(caption);
@@ -257,6 +275,7 @@ public final class FirmwareChassis implements Chassis {
       log.warn("The robot's microcontroller refused a command: {}", now.answer());
     }
     status = now;
+    settings.update(now);
     PendingClear pending = pendingClear;
     if (pending != null
         && (now.sequence() == pending.sequence() || now.powerCycle() != pending.powerCycle())) {
@@ -264,15 +283,15 @@ public final class FirmwareChassis implements Chassis {
     }
   }
 
-  private static Optional<Twist> twistBetween(FirmwareStatus before, FirmwareStatus now) {
+  private Optional<Twist> twistBetween(FirmwareStatus before, FirmwareStatus now) {
     double seconds = (now.stampMillis() - before.stampMillis()) / 1e3;
     if (seconds <= 0) {
       return Optional.empty();
     }
     return Optional.of(
-        WHEELS.twist(
+        wheels.twist(
             WheelSpeeds.of(
-                WHEELS.wheelCount(),
+                wheels.wheelCount(),
                 wheel -> {
                   // as counters wrap around
                   int moved = now.counts().get(wheel) - before.counts().get(wheel);
@@ -299,10 +318,23 @@ public final class FirmwareChassis implements Chassis {
     } else if (quality.isPoor()) {
       faults.add(POOR_LINK);
     }
+    if (settings.isRefused()) {
+      faults.add(NO_SETTINGS);
+    }
     if (hasRangeSensors && status.ranges().isEmpty()) {
       faults.add(BLIND);
     }
-    status.stopReasons().stream().sorted().map(StopReason::fault).forEach(faults::add);
+    status.stopReasons().stream().sorted().map(this::fault).forEach(faults::add);
     return faults;
+  }
+
+  private Fault fault(StopReason reason) {
+    Fault fault = reason.fault();
+    return reason == StopReason.HEAT
+        ? new Fault(
+            fault.code(),
+            "%s It has %d degrees Celsius.".formatted(fault.text(), status.temperature()),
+            fault.clearable())
+        : fault;
   }
 }

@@ -80,4 +80,7 @@ public sealed interface FirmwareCommand {
    * @param text cut or filled to 20 characters; what is not ASCII becomes a question mark
    */
   record Caption(String text) implements FirmwareCommand {}
+
+  /** What differs from robot to robot. */
+  record Settings(FirmwareSettings settings) implements FirmwareCommand {}
 }

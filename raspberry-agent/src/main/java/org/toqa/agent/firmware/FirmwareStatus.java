@@ -15,6 +15,8 @@ import org.toqa.geometry.Pose;
  * @param ranges metres, from right to left; empty while a sensor is silent or tells no distance
  * @param batteryVolts volts of the whole battery
  * @param missingFloor floor sensors that see no floor, one bit each
+ * @param pressedSwitches switches 2 to 4, one bit each; the first one stops the robot
+ * @param temperature of the motor drivers, degrees Celsius
  * @param freeSegments how many more segments its queue has room for
  * @param segmentsDriven how many of the path; wraps around after 65,536
  * @param coveredSeconds of the next one's planned time
@@ -35,6 +37,8 @@ public record FirmwareStatus(
     List<Double> ranges,
     double batteryVolts,
     int missingFloor,
+    int pressedSwitches,
+    int temperature,
     int freeSegments,
     int segmentsDriven,
     double coveredSeconds,
@@ -52,7 +56,8 @@ public record FirmwareStatus(
     OUT_OF_RANGE,
     UNKNOWN_KIND,
     NOT_CLEARED,
-    NOT_ON_PATH
+    NOT_ON_PATH,
+    DRIVES
   }
 
   /** In the order of the codes; those of a path are while it drives one by itself. */

@@ -11,6 +11,7 @@ import org.toqa.agent.firmware.FirmwareCommand.Clear;
 import org.toqa.agent.firmware.FirmwareCommand.Path;
 import org.toqa.agent.firmware.FirmwareCommand.Poll;
 import org.toqa.agent.firmware.FirmwareCommand.Segments;
+import org.toqa.agent.firmware.FirmwareCommand.Settings;
 import org.toqa.agent.firmware.FirmwareCommand.Velocity;
 import org.toqa.agent.firmware.FirmwareStatus.Answer;
 import org.toqa.agent.firmware.FirmwareStatus.State;
@@ -34,6 +35,7 @@ public final class FrameCodec {
   /** What a range sensor that sees nothing tells; more than this is no distance. */
   private static final int FARTHEST_MILLIMETRES = (int) Math.round(1_000 * RangeSensors.FARTHEST);
 
+  private static final int FLOOR_BITS = (1 << FirmwareSettings.FLOOR_SENSORS) - 1;
   private static final int CAPTION_LENGTH = 20;
 
   /** What the microcontroller takes at most. */
@@ -72,6 +74,7 @@ public final class FrameCodec {
       case Clear(var reasons, boolean byPerson) ->
           frame.putShort((short) StopReason.bits(reasons)).put((byte) (byPerson ? 1 : 0));
       case Caption(String text) -> frame.put(caption(text));
+      case Settings(FirmwareSettings settings) -> putSettings(frame, settings);
     }
     return frame.putShort(CRC_OFFSET, (short) Crc16.of(frame.array(), CRC_OFFSET)).array();
   }
@@ -111,7 +114,9 @@ public final class FrameCodec {
             new Pose(frame.getInt(26) / 1e6, frame.getInt(30) / 1e6, frame.getInt(34) / 1e6),
             ranges(frame),
             Short.toUnsignedInt(frame.getShort(44)) / 1e3,
-            Byte.toUnsignedInt(frame.get(46)),
+            Byte.toUnsignedInt(frame.get(46)) & FLOOR_BITS,
+            Byte.toUnsignedInt(frame.get(46)) >> FirmwareSettings.FLOOR_SENSORS,
+            frame.get(57),
             Byte.toUnsignedInt(frame.get(47)),
             Short.toUnsignedInt(frame.getShort(48)),
             Integer.toUnsignedLong(frame.getInt(58)) / 1e6,
@@ -144,6 +149,13 @@ public final class FrameCodec {
     }
   }
 
+  private static void putSettings(ByteBuffer frame, FirmwareSettings settings) {
+    frame
+        .putInt((int) Math.round(settings.wheels().wheelRadius() * 1e6))
+        .putInt((int) Math.round(settings.wheels().centreToWheel() * 1e6));
+    settings.floorVolts().forEach(volts -> frame.putShort((short) Math.round(volts * 1e3)));
+  }
+
   private static short thousandths(double acceleration) {
     return (short) Math.round(Math.clamp(acceleration, MIN_ACCELERATION, MAX_ACCELERATION) * 1e3);
   }
@@ -156,6 +168,7 @@ public final class FrameCodec {
       case Segments _ -> 3;
       case Clear _ -> 4;
       case Caption _ -> 5;
+      case Settings _ -> 6;
     };
   }
 

@@ -28,10 +28,27 @@ class FirmwareConstantsTest {
   @Test
   void bodyIsTheSame() throws IOException {
     ThreeWheelKinematics wheels = ThreeWheelKinematics.DEFAULT;
-    assertEquals(wheels.wheelRadius(), constant("body.h", "BODY_WHEEL_RADIUS_UM") / 1e6);
-    assertEquals(wheels.centreToWheel(), constant("body.h", "BODY_CENTRE_TO_WHEEL_UM") / 1e6);
+    assertEquals(wheels.wheelRadius(), constant("settings.h", "SETTINGS_WHEEL_RADIUS_UM") / 1e6);
+    assertEquals(wheels.centreToWheel(), constant("settings.h", "SETTINGS_CENTRE_TO_WHEEL_UM") / 1e6);
     assertEquals(wheels.wheelCount(), constant("body.h", "BODY_WHEELS"));
     assertEquals(Odometry.COUNTS_PER_WHEEL_TURN, constant("body.h", "BODY_COUNTS_PER_TURN"));
+  }
+
+  @Test
+  void settingsHaveTheSameBounds() throws IOException {
+    assertSetting(FirmwareSettings.LEAST_WHEEL_RADIUS, "LEAST_WHEEL_RADIUS_UM", 1e6);
+    assertSetting(FirmwareSettings.MOST_WHEEL_RADIUS, "MOST_WHEEL_RADIUS_UM", 1e6);
+    assertSetting(FirmwareSettings.LEAST_CENTRE_TO_WHEEL, "LEAST_CENTRE_TO_WHEEL_UM", 1e6);
+    assertSetting(FirmwareSettings.MOST_CENTRE_TO_WHEEL, "MOST_CENTRE_TO_WHEEL_UM", 1e6);
+    assertSetting(FirmwareSettings.LEAST_FLOOR_VOLTS, "LEAST_FLOOR_MV", 1e3);
+    assertSetting(FirmwareSettings.MOST_FLOOR_VOLTS, "MOST_FLOOR_MV", 1e3);
+    assertSetting(FirmwareSettings.FLOOR_VOLTS, "FLOOR_MV", 1e3);
+    assertEquals(FirmwareSettings.FLOOR_SENSORS, constant("body.h", "BODY_FLOOR_SENSORS"));
+  }
+
+  private static void assertSetting(double expected, String name, double units)
+      throws IOException {
+    assertEquals(expected, constant("settings.h", "SETTINGS_" + name) / units, 1e-9);
   }
 
   @Test
@@ -54,7 +71,7 @@ class FirmwareConstantsTest {
 
   @Test
   void framesCarryTheSameRange() throws IOException {
-    ChassisConfig body = new ChassisConfig.Spi(Path.of("/dev/null"), 0, 0, true);
+    ChassisConfig body = new ChassisConfig.Spi(Path.of("/dev/null"), 0, 0, true, FirmwareSettings.DEFAULT);
     assertEquals(FrameCodec.MAX_SPEED, body.mostSpeed());
     assertEquals(FrameCodec.MAX_TURN_RATE, body.mostTurnRate());
     assertEquals(FrameCodec.MAX_SPEED, constant("twist.h", "TWIST_SPEED_LIMIT_UM_S") / 1e6);

@@ -16,10 +16,12 @@ import org.toqa.agent.firmware.FirmwareCommand.Clear;
 import org.toqa.agent.firmware.FirmwareCommand.Path;
 import org.toqa.agent.firmware.FirmwareCommand.Poll;
 import org.toqa.agent.firmware.FirmwareCommand.Segments;
+import org.toqa.agent.firmware.FirmwareCommand.Settings;
 import org.toqa.agent.firmware.FirmwareCommand.Velocity;
 import org.toqa.geometry.Pose;
 import org.toqa.geometry.Twist;
 import org.toqa.motion.Segment;
+import org.toqa.motion.ThreeWheelKinematics;
 
 /** The golden frames, which the firmware's own tests read too. */
 class FrameCodecTest {
@@ -69,6 +71,15 @@ class FrameCodecTest {
           case "clear" ->
               new Clear(
                   StopReason.ofBits((int) golden.number("reasons")), golden.number("by") == 1);
+          case "settings" ->
+              new Settings(
+                  new FirmwareSettings(
+                      new ThreeWheelKinematics(
+                          golden.millionths("wheel_radius_um"),
+                          golden.millionths("centre_to_wheel_um")),
+                      IntStream.rangeClosed(1, FirmwareSettings.FLOOR_SENSORS)
+                          .mapToObj(i -> golden.number("floor" + i + "_mv") / 1e3)
+                          .toList()));
           case "caption" -> new Caption(golden.text("text"));
           default -> throw new IllegalArgumentException("What is a " + golden.kind() + "?");
         };
@@ -106,6 +117,8 @@ class FrameCodecTest {
     assertEquals(0, Math.sin(golden.millionths("heading_urad") - status.odometry().theta()), 1e-9);
     assertEquals(golden.number("battery_mv") / 1e3, status.batteryVolts(), 1e-9);
     assertEquals(golden.number("floor"), status.missingFloor());
+    assertEquals(golden.number("switches"), status.pressedSwitches());
+    assertEquals(golden.number("temperature"), status.temperature());
     assertEquals(golden.number("queue_free"), status.freeSegments());
     assertEquals(golden.number("segments"), status.segmentsDriven());
     assertEquals(golden.number("covered_us") / 1e6, status.coveredSeconds(), 1e-9);
