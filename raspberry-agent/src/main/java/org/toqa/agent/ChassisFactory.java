@@ -41,12 +41,7 @@ final class ChassisFactory {
           openFirmware(config, new SimulatorTransport(socket), start, ranges, settings, nanos);
       case ChassisConfig.Spi(var device, var hertz, var wordDelay, var ranges, var settings) ->
           openFirmware(
-              config,
-              new SpidevTransport(device, hertz, wordDelay),
-              null,
-              ranges,
-              settings,
-              nanos);
+              config, new SpidevTransport(device, hertz, wordDelay), null, ranges, settings, nanos);
       case ChassisConfig.Serial(var device, var baud, var ranges, var settings) ->
           openFirmware(config, new SerialTransport(device, baud), null, ranges, settings, nanos);
     };

@@ -39,10 +39,7 @@ class OffPathTest {
 
   @BeforeEach
   void connect() {
-    rig =
-        new Rig(
-            folder,
-            new ChassisConfig.Simulated(Rig.START, SimulatedBattery.FULL, 0, 7, 1));
+    rig = new Rig(folder, new ChassisConfig.Simulated(Rig.START, SimulatedBattery.FULL, 0, 7, 1));
     body = (SimulatedChassis) rig.body();
     server = rig.connect();
   }

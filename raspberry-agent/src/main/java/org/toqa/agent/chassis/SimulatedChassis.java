@@ -18,10 +18,11 @@ import org.toqa.motion.WheelSpeeds;
 
 /**
  * The body of a robot on two or three wheels, simulated: a queue of segments that it drives by
- * itself as the firmware does, motors that follow a command with a lag and a limited acceleration, wheels that slip a little (seeded noise between what turns and what
- * moves), odometry from encoder counts alone but for marks on the floor, a battery (see {@link
- * SimulatedBattery}), range sensors (see {@link SimulatedRangeSensors}). Its state is kept in a
- * file, see {@link SimulatedChassisFile}.
+ * itself as the firmware does, motors that follow a command with a lag and a limited acceleration,
+ * wheels that slip a little (seeded noise between what turns and what moves), odometry from encoder
+ * counts alone but for marks on the floor, a battery (see {@link SimulatedBattery}), range sensors
+ * (see {@link SimulatedRangeSensors}). Its state is kept in a file, see {@link
+ * SimulatedChassisFile}.
  */
 public final class SimulatedChassis implements Chassis {
 
@@ -67,6 +68,7 @@ public final class SimulatedChassis implements Chassis {
 
   /** The number of the last path that it began. */
   private long lastPath;
+
   private @Nullable ChassisReading reading;
 
   /** Kilograms on board. */

@@ -5,8 +5,8 @@ import java.util.Optional;
 import java.util.function.LongSupplier;
 import org.toqa.agent.chassis.ChassisCommand;
 import org.toqa.agent.chassis.ChassisCommand.MoveAt;
-import org.toqa.agent.drive.MotionLimits;
 import org.toqa.agent.control.Activity.Tick;
+import org.toqa.agent.drive.MotionLimits;
 import org.toqa.agent.drive.ObstacleAvoider;
 import org.toqa.agent.drive.PaceLimits;
 import org.toqa.agent.drive.ReferenceTrajectory;
@@ -19,8 +19,8 @@ import org.toqa.link.message.ServerMessage.Extend;
  * The current drive: its trajectory, whether it ends its phase, and whether it was cancelled. A
  * cancelled drive comes to a standstill on its path and is then dropped.
  *
- * <p>The body of a robot alone drives the released segments by itself. The daemon steers it where it
- * must steer beside the path: round obstacles, back to a path that it has come off, and the last
+ * <p>The body of a robot alone drives the released segments by itself. The daemon steers it where
+ * it must steer beside the path: round obstacles, back to a path that it has come off, and the last
  * millimetres to where it stands. It steers leaders all the while.
  */
 final class DriveRun {

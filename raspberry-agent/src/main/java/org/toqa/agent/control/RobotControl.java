@@ -202,7 +202,8 @@ public final class RobotControl {
 
   private void begin(Drive order) {
     avoider = new ObstacleAvoider(config.footprint() / 2);
-    Optional<DriveRun> drive = Optional.of(new DriveRun(order, config.limits(), avoider, () -> ++lastPath));
+    Optional<DriveRun> drive =
+        Optional.of(new DriveRun(order, config.limits(), avoider, () -> ++lastPath));
     activity =
         activity instanceof Leading(var leader, _) ? new Leading(leader, drive) : new Alone(drive);
     log.info(

@@ -1,6 +1,5 @@
 package org.toqa.agent.drive;
 
-
 /**
  * How abruptly the velocity of a reference may change.
  *

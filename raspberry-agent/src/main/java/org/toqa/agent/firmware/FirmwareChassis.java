@@ -30,8 +30,8 @@ import org.toqa.motion.WheelSpeeds;
 
 /**
  * The real body: a microcontroller that is sent a velocity or the segments of a path at every tick,
- * and seldom while it is stopped, which spares the processor of the robot. A stop that may be cleared without a person, by
- * power-up or by a link that was silent, is cleared here.
+ * and seldom while it is stopped, which spares the processor of the robot. A stop that may be
+ * cleared without a person, by power-up or by a link that was silent, is cleared here.
  */
 public final class FirmwareChassis implements Chassis {
 

@@ -54,7 +54,8 @@ class AgentConfigTest {
 
     assertEquals(
         new ChassisConfig.Spi(
-            Path.of("/dev/spidev0.0"), 1_000_000, 16, true, FirmwareSettings.DEFAULT), config.chassis());
+            Path.of("/dev/spidev0.0"), 1_000_000, 16, true, FirmwareSettings.DEFAULT),
+        config.chassis());
   }
 
   @Test
@@ -62,8 +63,8 @@ class AgentConfigTest {
     AgentConfig config = AgentConfig.read(file("{name: r1, dataDir: d, chassis: {type: serial}}"));
 
     assertEquals(
-        new ChassisConfig.Serial(
-            Path.of("/dev/serial0"), 115_200, true, FirmwareSettings.DEFAULT), config.chassis());
+        new ChassisConfig.Serial(Path.of("/dev/serial0"), 115_200, true, FirmwareSettings.DEFAULT),
+        config.chassis());
   }
 
   @Test

@@ -146,7 +146,8 @@ class DrivenPathIT {
   }
 
   private Chassis chassis(FrameTransport transport) throws IOException {
-    Chassis chassis = new FirmwareChassis(transport, "r1", null, true, FirmwareSettings.DEFAULT, nanos);
+    Chassis chassis =
+        new FirmwareChassis(transport, "r1", null, true, FirmwareSettings.DEFAULT, nanos);
     for (int i = 0; i < 20; i++) {
       chassis.exchange(ChassisCommand.STANDSTILL, nanos += TICK);
     }

@@ -130,7 +130,8 @@ class FirmwareChassisTest {
   @Test
   void bodyWithoutRangeSensorsDrivesWithoutThem() throws IOException {
     answer = withRange(2, 65_535);
-    try (FirmwareChassis without = new FirmwareChassis(transport(), "r1", null, false, FirmwareSettings.DEFAULT, 0)) {
+    try (FirmwareChassis without =
+        new FirmwareChassis(transport(), "r1", null, false, FirmwareSettings.DEFAULT, 0)) {
       ChassisReading reading = without.exchange(FORWARD, TICK);
       assertEquals(List.of(), reading.ranges());
       assertEquals(List.of(), reading.faults());

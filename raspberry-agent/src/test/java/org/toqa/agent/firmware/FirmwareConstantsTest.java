@@ -29,7 +29,8 @@ class FirmwareConstantsTest {
   void bodyIsTheSame() throws IOException {
     ThreeWheelKinematics wheels = ThreeWheelKinematics.DEFAULT;
     assertEquals(wheels.wheelRadius(), constant("settings.h", "SETTINGS_WHEEL_RADIUS_UM") / 1e6);
-    assertEquals(wheels.centreToWheel(), constant("settings.h", "SETTINGS_CENTRE_TO_WHEEL_UM") / 1e6);
+    assertEquals(
+        wheels.centreToWheel(), constant("settings.h", "SETTINGS_CENTRE_TO_WHEEL_UM") / 1e6);
     assertEquals(wheels.wheelCount(), constant("body.h", "BODY_WHEELS"));
     assertEquals(Odometry.COUNTS_PER_WHEEL_TURN, constant("body.h", "BODY_COUNTS_PER_TURN"));
   }
@@ -46,8 +47,7 @@ class FirmwareConstantsTest {
     assertEquals(FirmwareSettings.FLOOR_SENSORS, constant("body.h", "BODY_FLOOR_SENSORS"));
   }
 
-  private static void assertSetting(double expected, String name, double units)
-      throws IOException {
+  private static void assertSetting(double expected, String name, double units) throws IOException {
     assertEquals(expected, constant("settings.h", "SETTINGS_" + name) / units, 1e-9);
   }
 
@@ -71,7 +71,8 @@ class FirmwareConstantsTest {
 
   @Test
   void framesCarryTheSameRange() throws IOException {
-    ChassisConfig body = new ChassisConfig.Spi(Path.of("/dev/null"), 0, 0, true, FirmwareSettings.DEFAULT);
+    ChassisConfig body =
+        new ChassisConfig.Spi(Path.of("/dev/null"), 0, 0, true, FirmwareSettings.DEFAULT);
     assertEquals(FrameCodec.MAX_SPEED, body.mostSpeed());
     assertEquals(FrameCodec.MAX_TURN_RATE, body.mostTurnRate());
     assertEquals(FrameCodec.MAX_SPEED, constant("twist.h", "TWIST_SPEED_LIMIT_UM_S") / 1e6);
@@ -91,8 +92,7 @@ class FirmwareConstantsTest {
     assertEquals(daemon.turnRateJump(), constant("segment.c", "TURN_JUMP_URAD_S") / 1e6);
     assertEquals(Chassis.QUEUE_LENGTH, constant("segment.h", "SEGMENT_QUEUE_LENGTH"));
     assertEquals(FrameCodec.MIN_ACCELERATION, constant("segment.h", "SEGMENT_LEAST_RATE") / 1e3);
-    assertEquals(
-        Trajectory.MAX_DEVIATION, constant("segment_runner.c", "WAITING_UM") / 1e6, 1e-9);
+    assertEquals(Trajectory.MAX_DEVIATION, constant("segment_runner.c", "WAITING_UM") / 1e6, 1e-9);
   }
 
   /** The value of {@code #define NAME value}, or of {@code NAME = value}; products are computed. */

@@ -42,7 +42,8 @@ class FrameFuzzTest {
     long begin = System.nanoTime();
     long good = 0;
     try (LogLevel _ = LogLevel.errors("org.toqa.agent");
-        FirmwareChassis chassis = new FirmwareChassis(answering(), "r1", null, true, FirmwareSettings.DEFAULT, nanos)) {
+        FirmwareChassis chassis =
+            new FirmwareChassis(answering(), "r1", null, true, FirmwareSettings.DEFAULT, nanos)) {
       ChassisReading before = chassis.exchange(SLOWLY, nanos);
       for (long input = 0; input < FuzzRun.INPUTS; input++) {
         answer = fuzzed(correct.get(random.nextInt(correct.size())).clone());

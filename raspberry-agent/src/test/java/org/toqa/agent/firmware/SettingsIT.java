@@ -33,8 +33,7 @@ class SettingsIT {
 
   /** Wheels of 0.05 m, and a third floor sensor that looks at a dark floor. */
   private static final FirmwareSettings SETTINGS =
-      new FirmwareSettings(
-          new ThreeWheelKinematics(0.05, 0.10), List.of(1.0, 1.0, 0.4, 1.0, 1.0));
+      new FirmwareSettings(new ThreeWheelKinematics(0.05, 0.10), List.of(1.0, 1.0, 0.4, 1.0, 1.0));
 
   @TempDir Path folder;
 
