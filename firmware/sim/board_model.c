@@ -17,12 +17,16 @@ enum {
     SWITCH_PIN = 1,
 
     BATTERY_DIVIDER = 5,
-    FLOOR_MV = 3000,
+    TEMPERATURE_CHANNEL = 6,
+    MV_A_DEGREE = 10,
     NO_FLOOR_MV = 200,
 
     RANGE_PERIOD_US = 50000,
     RANGE_BYTE_US = 300, /* 38400 baud: 260 us */
 };
+
+/* Of switches 2 to 4, on port E. */
+static const int SWITCH_PINS[CHIP_SWITCHES] = {2, 3, 7};
 
 static avr_irq_t *port(struct board_model *board, char name, int irq)
 {
@@ -91,6 +95,9 @@ void board_model_restart(struct board_model *board)
     /* simavr passes on what changes, and the chip has just forgotten its pins */
     avr_raise_irq(port(board, 'D', IOPORT_IRQ_PIN0 + HEAT_PIN), 0);
     avr_raise_irq(port(board, 'D', IOPORT_IRQ_PIN0 + SWITCH_PIN), 0);
+    for (int i = 0; i < CHIP_SWITCHES; i++) {
+        avr_raise_irq(port(board, 'E', IOPORT_IRQ_PIN0 + SWITCH_PINS[i]), 0);
+    }
     board_model_update(board);
     avr_cycle_timer_register_usec(board->avr, RANGE_PERIOD_US, send_range, board);
 }
@@ -106,7 +113,12 @@ void board_model_update(struct board_model *board)
 
     measure(board, 0, felt->battery_mv / BATTERY_DIVIDER);
     for (int i = 0; i < CHIP_FLOOR_SENSORS; i++) {
-        measure(board, 1 + i, felt->is_floor_gone[i] ? NO_FLOOR_MV : FLOOR_MV);
+        measure(board, 1 + i, felt->is_floor_gone[i] ? NO_FLOOR_MV : felt->floor_mv[i]);
+    }
+    measure(board, TEMPERATURE_CHANNEL, (uint32_t)felt->temperature * MV_A_DEGREE);
+    for (int i = 0; i < CHIP_SWITCHES; i++) {
+        avr_raise_irq(port(board, 'E', IOPORT_IRQ_PIN0 + SWITCH_PINS[i]),
+                      !felt->is_switch_pressed[i]);
     }
     avr_raise_irq(port(board, 'D', IOPORT_IRQ_PIN0 + HEAT_PIN), !felt->is_hot);
     avr_raise_irq(port(board, 'D', IOPORT_IRQ_PIN0 + SWITCH_PIN), !felt->is_stop_pressed);

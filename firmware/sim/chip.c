@@ -114,7 +114,10 @@ bool chip_begin(const char *hex_file, const char *eeprom_file, uint32_t hertz,
     if (!load(hex_file) || !eeprom_file_begin(avr, eeprom_file)) {
         return false;
     }
-    surroundings = (struct surroundings){.range_mm = {800, 800, 800}, .battery_mv = 16000};
+    surroundings = (struct surroundings){.range_mm = {800, 800, 800},
+                                         .floor_mv = {3000, 3000, 3000, 3000, 3000},
+                                         .temperature = 25,
+                                         .battery_mv = 16000};
     lcd_model_begin(&lcd);
     board = (struct board_model){.avr = avr, .lcd = &lcd, .surroundings = &surroundings};
     board_model_wire(&board);

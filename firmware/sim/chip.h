@@ -13,13 +13,16 @@
 #include "lcd_model.h"
 #include "rig.h"
 
-enum { CHIP_RANGES = 3, CHIP_FLOOR_SENSORS = 5 };
+enum { CHIP_RANGES = 3, CHIP_FLOOR_SENSORS = 5, CHIP_SWITCHES = 3 };
 
 /* What surrounds the robot, and what goes wrong. */
 struct surroundings {
     uint16_t range_mm[CHIP_RANGES];
     bool is_range_board_silent;
     bool is_floor_gone[CHIP_FLOOR_SENSORS];
+    uint16_t floor_mv[CHIP_FLOOR_SENSORS]; /* where there is a floor */
+    bool is_switch_pressed[CHIP_SWITCHES]; /* switches 2 to 4 */
+    int16_t temperature;                   /* degrees Celsius */
     uint16_t battery_mv;
     bool is_hot;
     bool is_stop_pressed;

@@ -8,6 +8,7 @@ struct motor {
     double rate;  /* counts a second */
     double angle; /* counts */
     double load;  /* that it moves beside the robot, as a share of the robot's own mass */
+    double larger; /* than its encoder is told, as a share of the wheel's size */
     bool is_blocked;
     bool is_pushed; /* from outside, at the rated speed */
 };

@@ -32,7 +32,7 @@ void rig_turn(struct rig *rig, const double duties[RIG_WHEELS], double seconds)
         double before = rig->motors[i].angle;
 
         motor_turn(&rig->motors[i], duties[i], seconds);
-        moved[i] = metres(rig->motors[i].angle - before);
+        moved[i] = metres(rig->motors[i].angle - before) * (1 + rig->motors[i].larger);
     }
     carry(rig, moved);
 }

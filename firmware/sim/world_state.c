@@ -59,9 +59,25 @@ static bool change_numbered(const char *what, unsigned number, const char *how)
         chip_surroundings()->is_floor_gone[number] = strcmp(how, "gone") == 0;
         return true;
     }
+    if (strcmp(what, "floor_mv") == 0 && number < CHIP_FLOOR_SENSORS) {
+        return sscanf(how, "%" SCNu16, &chip_surroundings()->floor_mv[number]) == 1;
+    }
+    if (strcmp(what, "switch") == 0 && number >= 2 && number < 2 + CHIP_SWITCHES) {
+        chip_surroundings()->is_switch_pressed[number - 2] = strcmp(how, "pressed") == 0;
+        return true;
+    }
     if (strcmp(what, "wheel") == 0 && number < RIG_WHEELS) {
         chip_rig()->motors[number].is_blocked = strcmp(how, "blocked") == 0;
         chip_rig()->motors[number].is_pushed = strcmp(how, "pushed") == 0;
+        return true;
+    }
+    if (strcmp(what, "size") == 0 && number < RIG_WHEELS) {
+        int ppm;
+
+        if (sscanf(how, "%d", &ppm) != 1) {
+            return false;
+        }
+        chip_rig()->motors[number].larger = ppm * 1e-6;
         return true;
     }
     if (strcmp(what, "controller") == 0 && number < RIG_WHEELS) {
@@ -109,6 +125,9 @@ static bool change(const char *what, const char *how)
     }
     if (strcmp(what, "load") == 0) {
         return load(how);
+    }
+    if (strcmp(what, "temperature") == 0) {
+        return sscanf(how, "%" SCNd16, &surroundings->temperature) == 1;
     }
     return strcmp(what, "battery") == 0 && sscanf(how, "%" SCNu16, &surroundings->battery_mv) == 1;
 }

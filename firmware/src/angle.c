@@ -47,3 +47,11 @@ int32_t angle_urad(uint32_t angle)
     /* 2 pi 10^6 = 6283185.3 urad a turn */
     return (int32_t)(((int64_t)(int32_t)angle * 6283185) >> 32);
 }
+
+uint32_t angle_from_urad(int32_t urad)
+{
+    /* 2^32 / (2 pi 10^6), times 2^24 */
+    static const int64_t ANGLE_A_URAD_Q24 = INT64_C(11468322278);
+
+    return (uint32_t)((urad * ANGLE_A_URAD_Q24) >> 24);
+}

@@ -15,4 +15,7 @@ int16_t angle_cos_q15(uint32_t angle);
 /* In (-pi, pi]. */
 int32_t angle_urad(uint32_t angle);
 
+/* urad: within 2^27 of 0. */
+uint32_t angle_from_urad(int32_t urad);
+
 #endif

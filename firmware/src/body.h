@@ -1,9 +1,6 @@
-/* The robot's measures: what is not in the data sheets is to be measured on the robot. */
+/* The robot's measures. Those of settings.h are to be measured on the robot, and are sent to it. */
 #ifndef BODY_H
 #define BODY_H
-
-#define BODY_WHEEL_RADIUS_UM 40000
-#define BODY_CENTRE_TO_WHEEL_UM 100000
 
 /* Gear 1:27, 26 pulses a motor turn, quadrature times 4. */
 #define BODY_COUNTS_PER_TURN (27 * 26 * 4)
@@ -18,5 +15,7 @@
 #define BODY_MAX_RPM 150
 
 #define BODY_WHEELS 3
+
+#define BODY_FLOOR_SENSORS 5
 
 #endif

@@ -6,16 +6,19 @@
 #include <stdint.h>
 
 #include "frame.h"
+#include "pose.h"
 #include "segment.h"
+#include "settings.h"
 #include "twist.h"
 
 enum command_kind {
     COMMAND_POLL = 0x00,
     COMMAND_VELOCITY = 0x01,
-    COMMAND_SEGMENT = 0x02,
-    COMMAND_HALT = 0x03,
+    COMMAND_PATH = 0x02,
+    COMMAND_SEGMENTS = 0x03,
     COMMAND_CLEAR = 0x04,
     COMMAND_CAPTION = 0x05,
+    COMMAND_SETTINGS = 0x06,
 };
 
 enum answer {
@@ -26,21 +29,47 @@ enum answer {
     ANSWER_OUT_OF_RANGE = 4,
     ANSWER_UNKNOWN_KIND = 5,
     ANSWER_NOT_CLEARED = 6,
+    ANSWER_NOT_ON_PATH = 7,
+    ANSWER_DRIVES = 8,
 };
 
-enum { CAPTION_LENGTH = 20 };
+enum {
+    CAPTION_LENGTH = 20,
+    PATH_SEGMENTS = 3, /* in the frame that begins a path, at most */
+    MORE_SEGMENTS = 4, /* in one that goes on with it */
+};
+
+/* The beginning of a path. */
+struct path_start {
+    struct pose here; /* of the reference */
+    uint16_t pace_q15;
+    struct segment_limits limits;
+};
+
+/* Segments of a path that follow each other. */
+struct path_segments {
+    uint16_t path;
+    uint16_t first; /* its place on the path, from 0; wraps around */
+    bool is_onward;
+    uint8_t count;
+    struct segment segments[MORE_SEGMENTS];
+};
 
 struct command {
     enum command_kind kind;
     uint8_t sequence;
     union {
         struct twist velocity;
-        struct segment segment;
+        struct {
+            struct path_start start; /* of a new path only */
+            struct path_segments more;
+        } path;
         struct {
             uint16_t reasons;
             bool by_person;
         } clear;
         char caption[CAPTION_LENGTH];
+        struct settings settings;
     } as;
 };
 

@@ -13,17 +13,17 @@ struct pose {
     uint32_t heading; /* 2^32 a turn, from the x axis */
 };
 
-/* A motion in the frame of the one who moves: x forward, y left. */
+/* A motion of some milliseconds in the frame of the one who moves: x forward, y left; 8 m at most. */
 struct step {
-    int64_t x_um_q16;
-    int64_t y_um_q16;
+    int32_t x_um_q8;
+    int32_t y_um_q8;
     int32_t turn; /* 2^32 a turn */
 };
 
 void pose_advance(struct pose *pose, const struct step *step);
 
-/* Turns a vector by an angle. */
-void pose_rotate(int64_t *x, int64_t *y, uint32_t angle);
+/* Turns a vector by an angle; neither may be as much as 2^30. */
+void pose_rotate(int32_t *x, int32_t *y, uint32_t angle);
 
 static inline int32_t pose_um(int64_t um_q16)
 {

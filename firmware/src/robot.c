@@ -6,7 +6,15 @@
 #include "drive.h"
 #include "slew.h"
 
-enum { VELOCITY_LIFE_MS = 200 };
+enum {
+    VELOCITY_LIFE_MS = 200,
+    HOT_CELSIUS = 85,
+    SWITCH_PERIOD_MS = 16, /* contacts have settled after less; a power of two */
+    SWITCH_DISPLAY = 1,
+};
+
+/* A path that begins farther away, 0.5 m in x or y, is none of this robot's. */
+static const int64_t NEAR_UM_Q16 = INT64_C(500000) << 16;
 
 static const struct twist STANDSTILL = {0, 0, 0};
 
@@ -20,18 +28,21 @@ static void brake(struct robot *robot)
     robot->velocity_command.is_active = false;
     robot->motion.twist = STANDSTILL;
     memset(&robot->motion.rates, 0, sizeof robot->motion.rates);
-    segment_runner_reset(&robot->segment_runner, &robot->odometry.pose);
+    segment_runner_stop(&robot->segment_runner);
     stall_begin(&robot->stall, robot->odometry.counts);
     stop_set_cause(&robot->stop, STOP_DRIVE, !drive_stop());
 }
 
-void robot_begin(struct robot *robot, enum stop_reason reason, uint16_t power_cycle)
+void robot_begin(struct robot *robot, enum stop_reason reason, uint16_t power_cycle,
+                 const struct settings *settings)
 {
     static const int32_t zero[BODY_WHEELS] = {0, 0, 0};
 
     memset(robot, 0, sizeof *robot);
     stop_begin(&robot->stop, reason);
-    odometry_begin(&robot->odometry, zero);
+    robot->settings = *settings;
+    robot->wheel_scale = wheel_scale_of(settings);
+    odometry_begin(&robot->odometry, zero, settings);
     segment_runner_begin(&robot->segment_runner);
     stall_begin(&robot->stall, zero);
     battery_begin(&robot->battery);
@@ -46,29 +57,92 @@ static enum answer set_velocity(struct robot *robot, const struct twist *velocit
     if (is_stopped(robot)) {
         return ANSWER_STOPPED;
     }
-    segment_runner_reset(&robot->segment_runner, &robot->odometry.pose);
+    segment_runner_stop(&robot->segment_runner);
     robot->velocity_command.is_active = true;
     robot->velocity_command.twist = *velocity;
     robot->velocity_command.set_ms = robot->now_ms;
     return ANSWER_DONE;
 }
 
-static enum answer queue_segment(struct robot *robot, const struct segment *segment)
+static bool is_near(const struct robot *robot, const struct pose *place)
+{
+    int64_t far_x = place->x_um_q16 - robot->odometry.pose.x_um_q16;
+    int64_t far_y = place->y_um_q16 - robot->odometry.pose.y_um_q16;
+
+    return far_x >= -NEAR_UM_Q16 && far_x <= NEAR_UM_Q16 && far_y >= -NEAR_UM_Q16 &&
+           far_y <= NEAR_UM_Q16;
+}
+
+static enum answer add_segments(struct robot *robot, const struct path_segments *more)
+{
+    struct segment_runner *runner = &robot->segment_runner;
+    uint16_t known = (uint16_t)(runner->queue.driven + runner->queue.count);
+    uint16_t skipped = (uint16_t)(known - more->first);
+    uint8_t count;
+
+    if (skipped > UINT16_MAX / 2) {
+        return ANSWER_NOT_ON_PATH; /* some before these have not come */
+    }
+    runner->is_onward = more->is_onward;
+    if (skipped >= more->count) {
+        return ANSWER_DONE;
+    }
+    count = (uint8_t)(more->count - skipped);
+    return segment_queue_add(&runner->queue, more->segments + skipped, count) == count
+               ? ANSWER_DONE
+               : ANSWER_QUEUE_FULL;
+}
+
+/* A path that was begun once is not begun again, whatever became of it. */
+static enum answer begin_path(struct robot *robot, const struct path_start *start,
+                              const struct path_segments *first)
 {
     if (is_stopped(robot)) {
         return ANSWER_STOPPED;
     }
-    if (robot->velocity_command.is_active || robot->segment_runner.is_settled) {
-        segment_runner_reset(&robot->segment_runner, &robot->odometry.pose);
+    if (first->path == robot->path) {
+        return robot->segment_runner.is_active ? ANSWER_DONE : ANSWER_NOT_ON_PATH;
     }
+    if (!is_near(robot, &start->here)) {
+        return ANSWER_OUT_OF_RANGE;
+    }
+    robot->path = first->path;
     robot->velocity_command.is_active = false;
-    return segment_runner_add(&robot->segment_runner, segment) ? ANSWER_DONE : ANSWER_QUEUE_FULL;
+    segment_runner_start(&robot->segment_runner, &start->here, start->pace_q15, &start->limits);
+    return add_segments(robot, first);
 }
 
-static enum answer halt(struct robot *robot)
+static enum answer go_on(struct robot *robot, const struct path_segments *more)
 {
-    robot->velocity_command.twist = STANDSTILL;
-    segment_runner_halt(&robot->segment_runner);
+    if (is_stopped(robot)) {
+        return ANSWER_STOPPED;
+    }
+    if (!robot->segment_runner.is_active || more->path != robot->path) {
+        return ANSWER_NOT_ON_PATH;
+    }
+    return add_segments(robot, more);
+}
+
+static bool is_moving(const struct robot *robot)
+{
+    enum robot_state state = robot_state(robot);
+
+    return state == ROBOT_DRIVING || state == ROBOT_PATH_DRIVING || robot->motion.has_turned;
+}
+
+/* A robot that moves keeps its wheels. */
+static enum answer set_settings(struct robot *robot, const struct settings *settings)
+{
+    if (settings_are_same(settings, &robot->settings)) {
+        return ANSWER_DONE;
+    }
+    if (is_moving(robot)) {
+        return ANSWER_DRIVES;
+    }
+    robot->settings = *settings;
+    robot->wheel_scale = wheel_scale_of(settings);
+    odometry_set_wheels(&robot->odometry, settings);
+    segment_runner_stop(&robot->segment_runner); /* its reference is of the wheels before */
     return ANSWER_DONE;
 }
 
@@ -77,10 +151,10 @@ static enum answer execute(struct robot *robot, const struct command *command)
     switch (command->kind) {
     case COMMAND_VELOCITY:
         return set_velocity(robot, &command->as.velocity);
-    case COMMAND_SEGMENT:
-        return queue_segment(robot, &command->as.segment);
-    case COMMAND_HALT:
-        return halt(robot);
+    case COMMAND_PATH:
+        return begin_path(robot, &command->as.path.start, &command->as.path.more);
+    case COMMAND_SEGMENTS:
+        return go_on(robot, &command->as.path.more);
     case COMMAND_CLEAR:
         return stop_clear(&robot->stop, command->as.clear.reasons, command->as.clear.by_person)
                    ? ANSWER_DONE
@@ -88,6 +162,8 @@ static enum answer execute(struct robot *robot, const struct command *command)
     case COMMAND_CAPTION:
         memcpy(robot->caption, command->as.caption, CAPTION_LENGTH);
         return ANSWER_DONE;
+    case COMMAND_SETTINGS:
+        return set_settings(robot, &command->as.settings);
     case COMMAND_POLL:
         break;
     }
@@ -114,18 +190,45 @@ void robot_handle_frame(struct robot *robot, const uint8_t frame[FRAME_LENGTH])
     conversation->answer = answer == ANSWER_DONE ? execute(robot, &command) : answer;
 }
 
+static uint8_t missing_floor(const struct robot *robot, const struct robot_inputs *inputs)
+{
+    uint8_t missing = 0;
+
+    for (uint8_t i = 0; i < BODY_FLOOR_SENSORS; i++) {
+        if (inputs->floor_mv[i] < robot->settings.floor_mv[i]) {
+            missing = (uint8_t)(missing | 1U << i);
+        }
+    }
+    return missing;
+}
+
+/* Pressed and released, switch 2 changes what the display shows. */
+static void update_switches(struct robot *robot, uint8_t pressed)
+{
+    uint8_t released = (uint8_t)(robot->pressed_switches & ~pressed);
+
+    if ((released & SWITCH_DISPLAY) != 0) {
+        robot->shows_measurements = !robot->shows_measurements;
+    }
+    robot->pressed_switches = pressed;
+}
+
 static void update_inputs(struct robot *robot, const struct robot_inputs *inputs)
 {
     struct stop *stop = &robot->stop;
 
-    robot->missing_floor = inputs->missing_floor;
+    robot->missing_floor = missing_floor(robot, inputs);
+    robot->temperature = inputs->temperature;
+    if ((uint8_t)robot->now_ms % SWITCH_PERIOD_MS == 0) {
+        update_switches(robot, inputs->pressed_switches);
+    }
     battery_update(&robot->battery, inputs->battery_mv, 1);
     range_elapse(&robot->range, 1);
     stop_set_cause(stop, STOP_LINK,
                    robot->now_ms - robot->conversation.last_frame_ms >= STOP_LINK_MS);
     stop_set_cause(stop, STOP_SWITCH, inputs->is_stop_pressed);
-    stop_set_cause(stop, STOP_EDGE, inputs->missing_floor != 0);
-    stop_set_cause(stop, STOP_HEAT, inputs->is_hot);
+    stop_set_cause(stop, STOP_EDGE, robot->missing_floor != 0);
+    stop_set_cause(stop, STOP_HEAT, inputs->is_hot || inputs->temperature >= HOT_CELSIUS);
     stop_set_cause(stop, STOP_BATTERY, battery_is_low(&robot->battery));
 }
 
@@ -159,8 +262,11 @@ static bool read_odometry(struct robot *robot)
 
 static struct twist wanted_twist(struct robot *robot)
 {
-    if (!robot->velocity_command.is_active) {
+    if (robot->segment_runner.is_active) {
         return segment_runner_tick(&robot->segment_runner, &robot->odometry.pose, DRIVE_PERIOD_MS);
+    }
+    if (!robot->velocity_command.is_active) {
+        return STANDSTILL;
     }
     if (robot->now_ms - robot->velocity_command.set_ms >= VELOCITY_LIFE_MS) {
         robot->velocity_command.twist = STANDSTILL;
@@ -180,7 +286,7 @@ static void turn_wheels(struct robot *robot)
         return;
     }
     slew_towards(&robot->motion.twist, &wanted, DRIVE_PERIOD_MS);
-    wheel_rates_from_twist(&robot->motion.twist, &robot->motion.rates);
+    wheel_rates_from_twist(&robot->wheel_scale, &robot->motion.twist, &robot->motion.rates);
     wheel_rates_limit(&robot->motion.rates);
     if (!drive_turn(&robot->motion.rates)) {
         stop_set_cause(&robot->stop, STOP_DRIVE, true);
@@ -206,11 +312,17 @@ enum robot_state robot_state(const struct robot *robot)
     if (is_stopped(robot)) {
         return ROBOT_STOPPED;
     }
-    if (robot->velocity_command.is_active) {
-        return memcmp(&robot->motion.twist, &STANDSTILL, sizeof STANDSTILL) == 0 ? ROBOT_STANDING
-                                                                                 : ROBOT_DRIVING;
+    if (robot->segment_runner.is_active) {
+        return robot->segment_runner.is_settled ? ROBOT_PATH_STANDING : ROBOT_PATH_DRIVING;
     }
-    return robot->segment_runner.is_settled ? ROBOT_STANDING : ROBOT_DRIVING;
+    return memcmp(&robot->motion.twist, &STANDSTILL, sizeof STANDSTILL) == 0 ? ROBOT_STANDING
+                                                                             : ROBOT_DRIVING;
+}
+
+/* Not 0 while it moves. */
+static uint8_t pace_of_255(uint16_t pace_q15)
+{
+    return (uint8_t)((pace_q15 * UINT32_C(255) + 32767) >> 15);
 }
 
 void robot_fill_status(const struct robot *robot, struct status *status)
@@ -231,6 +343,11 @@ void robot_fill_status(const struct robot *robot, struct status *status)
     memcpy(status->range_mm, robot->range.mm, sizeof status->range_mm);
     status->battery_mv = battery_mv(&robot->battery);
     status->missing_floor = robot->missing_floor;
+    status->pressed_switches = robot->pressed_switches;
+    status->temperature = robot->temperature;
     status->queue_free = (uint8_t)(SEGMENT_QUEUE_LENGTH - robot->segment_runner.queue.count);
     status->segments_driven = robot->segment_runner.queue.driven;
+    status->path = robot->path;
+    status->pace = pace_of_255(robot->segment_runner.queue.pace_q15);
+    status->covered_us = robot->segment_runner.queue.covered_us;
 }

@@ -10,6 +10,7 @@
 #include "odometry.h"
 #include "range.h"
 #include "segment_runner.h"
+#include "settings.h"
 #include "stall.h"
 #include "status.h"
 #include "stop.h"
@@ -17,9 +18,11 @@
 
 /* What the sensors measure now. */
 struct robot_inputs {
-    uint8_t missing_floor; /* bit 0 to 4: floor sensors that see no floor */
-    bool is_hot;
+    uint16_t floor_mv[BODY_FLOOR_SENSORS];
+    bool is_hot;               /* a motor driver says so */
+    int8_t temperature;        /* of the motor drivers, degrees Celsius */
     bool is_stop_pressed;
+    uint8_t pressed_switches; /* bit 0 to 2: switches 2 to 4 */
     uint16_t battery_mv;
 };
 
@@ -53,14 +56,21 @@ struct robot {
     struct range range;
     struct velocity_command velocity_command;
     struct motion motion;
-    uint8_t missing_floor;
+    uint16_t path; /* the number of the last one that was begun; 0 before the first */
+    struct settings settings;
+    struct wheel_scale wheel_scale;
+    uint8_t missing_floor; /* bit 0 to 4: floor sensors that see no floor */
+    int8_t temperature;
+    uint8_t pressed_switches;
+    bool shows_measurements; /* on the display */
     uint32_t now_ms;
     struct conversation conversation;
     uint16_t power_cycle;
     char caption[CAPTION_LENGTH];
 };
 
-void robot_begin(struct robot *robot, enum stop_reason reason, uint16_t power_cycle);
+void robot_begin(struct robot *robot, enum stop_reason reason, uint16_t power_cycle,
+                 const struct settings *settings);
 
 /* Executes the command of a good frame. */
 void robot_handle_frame(struct robot *robot, const uint8_t frame[FRAME_LENGTH]);

@@ -4,12 +4,8 @@
 
 #include "square_root.h"
 
-/* What the wheels can follow. */
-static const uint32_t ACCELERATION_UM_S2 = 500000;
-static const uint32_t TURN_ACCELERATION_URAD_S2 = 3000000;
-
 /* Jumps of velocity that the motors can follow. */
-static const uint32_t SPEED_JUMP_UM_S = 100000;
+static const uint32_t SPEED_JUMP_UM_S = 150000;
 static const uint32_t TURN_JUMP_URAD_S = 800000;
 
 static const uint32_t STEEPEST_PACE_A_SECOND = 10;
@@ -17,7 +13,10 @@ static const uint32_t STEEPEST_PACE_A_SECOND = 10;
 /* A segment with less than this left is driven. */
 static const uint32_t INSTANT_US = 100;
 
-static const uint16_t ONE_Q15 = UINT16_C(1) << 15;
+/* No pace: of a segment that is not planned yet. */
+static const uint16_t NOT_PLANNED = UINT16_MAX;
+
+static const uint16_t ONE_Q15 = SEGMENT_PACE_Q15;
 static const uint32_t ONE_Q30 = UINT32_C(1) << 30;
 
 static uint8_t index_of(const struct segment_queue *queue, uint8_t place)
@@ -51,12 +50,14 @@ static uint32_t share_q15(uint32_t limit, uint32_t value, uint32_t most)
 }
 
 /* How much the pace may change in a second, times 2^15. */
-static uint32_t pace_rate_q15(const struct segment *segment)
+static uint32_t pace_rate_q15(const struct segment *segment, const struct segment_limits *limits)
 {
     const uint32_t steepest = STEEPEST_PACE_A_SECOND * ONE_Q15;
+    uint32_t acceleration_um_s2 = limits->acceleration_mm_s2 * UINT32_C(1000);
+    uint32_t turn_urad_s2 = limits->turn_acceleration_mrad_s2 * UINT32_C(1000);
 
-    return least(share_q15(ACCELERATION_UM_S2, magnitude(segment->v_um_s), steepest),
-                 share_q15(TURN_ACCELERATION_URAD_S2, magnitude(segment->w_urad_s), steepest));
+    return least(share_q15(acceleration_um_s2, magnitude(segment->v_um_s), steepest),
+                 share_q15(turn_urad_s2, magnitude(segment->w_urad_s), steepest));
 }
 
 static uint16_t junction_pace_q15(const struct segment *before, const struct segment *after)
@@ -68,15 +69,22 @@ static uint16_t junction_pace_q15(const struct segment *before, const struct seg
                            share_q15(TURN_JUMP_URAD_S, turn_jump, ONE_Q15));
 }
 
-/* By how much braking in so much planned time lowers the square of the pace; at most 2^31. */
+/*
+ * By how much braking in so much planned time lowers the square of the pace, 2 a T; at most 2^31.
+ * Times 2^30 that is rate_q15 * left_us * 2^16 / 10^6.
+ */
 static uint32_t braking_gain_q30(uint32_t rate_q15, uint32_t left_us)
 {
-    /* 2^44 / 10^6 */
-    static const uint32_t SECONDS_A_US_Q44 = 17592186;
-    /* 2 a T */
-    uint64_t gain_q15 = (((2 * (uint64_t)rate_q15 * left_us) >> 14) * SECONDS_A_US_Q44) >> 30;
+    /* (2^20 / 10^6 - 1) 2^26 */
+    static const uint32_t REST_Q26 = 3259880;
+    uint64_t product = (uint64_t)rate_q15 * left_us;
+    uint32_t sixteenth;
 
-    return gain_q15 < 2 * ONE_Q15 ? (uint32_t)gain_q15 << 15 : 2 * ONE_Q30;
+    if (product >= (uint64_t)ONE_Q30 << 5) { /* 2 a T is more than 2 */
+        return 2 * ONE_Q30;
+    }
+    sixteenth = (uint32_t)(product >> 4);
+    return sixteenth + (uint32_t)(((uint64_t)sixteenth * REST_Q26) >> 26);
 }
 
 /* The square of the pace that is braked to the exit pace: P^2 = p^2 + 2 a T. */
@@ -88,11 +96,6 @@ static uint32_t braked_square_q30(uint16_t exit_q15, uint32_t gain_q30)
 static uint16_t root_q15(uint32_t square_q30)
 {
     return square_q30 >= ONE_Q30 ? ONE_Q15 : square_root(square_q30);
-}
-
-static uint32_t duration_us(const struct segment *segment)
-{
-    return segment->duration_ms * 1000;
 }
 
 /* The backward pass: from a standstill at the end of the queue to where nothing changes any more. */
@@ -114,14 +117,22 @@ static void plan_exit_paces(struct segment_queue *queue)
     }
 }
 
+/* 2^24 / 10^6, times 2^20 */
+static const int64_t UM_A_US_Q44 = 17592186;
+
+/* 2^32 / (2 pi 10^12) 2^16, times 2^30 */
+static const int64_t TURN_A_US_Q46 = INT64_C(48101630006);
+
 static void compute_limits(struct segment_queue *queue, uint8_t place)
 {
     const struct segment *segment = segment_at(queue, place);
     uint8_t index = index_of(queue, place);
-    uint32_t rate_q15 = pace_rate_q15(segment);
+    uint32_t rate_q15 = pace_rate_q15(segment, &queue->limits);
 
+    queue->um_a_us_q24[index] = (int32_t)((segment->v_um_s * UM_A_US_Q44) >> 20);
+    queue->turn_a_us_q16[index] = (int32_t)((segment->w_urad_s * TURN_A_US_Q46) >> 30);
     queue->pace_rate_q15[index] = rate_q15;
-    queue->gain_q30[index] = braking_gain_q30(rate_q15, duration_us(segment));
+    queue->gain_q30[index] = braking_gain_q30(rate_q15, segment->duration_us);
     queue->entry_pace_q15[index] =
         place == 0 ? 0 : junction_pace_q15(segment_at(queue, (uint8_t)(place - 1)), segment);
 }
@@ -131,44 +142,48 @@ void segment_queue_begin(struct segment_queue *queue)
     memset(queue, 0, sizeof *queue);
 }
 
-bool segment_queue_add(struct segment_queue *queue, const struct segment *segment)
+void segment_queue_start(struct segment_queue *queue, const struct pose *here, uint16_t pace_q15,
+                         const struct segment_limits *limits)
 {
-    if (queue->count == SEGMENT_QUEUE_LENGTH) {
-        return false;
-    }
-    queue->segments[index_of(queue, queue->count)] = *segment;
-    compute_limits(queue, queue->count);
-    queue->count++;
-    plan_exit_paces(queue);
-    return true;
+    segment_queue_stop(queue);
+    queue->limits = *limits;
+    queue->driven = 0;
+    queue->pace_q15 = pace_q15;
+    queue->reference = *here;
 }
 
-void segment_queue_reset(struct segment_queue *queue, const struct pose *here)
+uint8_t segment_queue_add(struct segment_queue *queue, const struct segment *segments,
+                          uint8_t count)
+{
+    uint8_t added = 0;
+
+    while (added < count && queue->count < SEGMENT_QUEUE_LENGTH) {
+        queue->segments[index_of(queue, queue->count)] = segments[added];
+        queue->exit_pace_q15[index_of(queue, queue->count)] = NOT_PLANNED;
+        compute_limits(queue, queue->count);
+        queue->count++;
+        added++;
+    }
+    if (added != 0) {
+        plan_exit_paces(queue);
+    }
+    return added;
+}
+
+void segment_queue_stop(struct segment_queue *queue)
 {
     queue->count = 0;
     queue->covered_us = 0;
     queue->pace_q15 = 0;
-    queue->reference = *here;
-}
-
-/* The step of a reference that covers so much planned time. */
-static struct step step_of(const struct segment *segment, uint32_t us)
-{
-    /* 2^16 / 10^6, times 2^24 */
-    static const int64_t UM_Q16_A_US_Q24 = 1099512;
-    /* 2^32 / (2 pi 10^12), times 2^34 */
-    static const int64_t TURN_A_US_Q34 = 11743562;
-    struct step step = {0, 0, 0};
-
-    step.x_um_q16 = ((int64_t)segment->v_um_s * us * UM_Q16_A_US_Q24) >> 24;
-    step.turn = (int32_t)(((int64_t)segment->w_urad_s * us * TURN_A_US_Q34) >> 34);
-    return step;
 }
 
 static void move_reference(struct segment_queue *queue, uint32_t us)
 {
-    struct step step = step_of(segment_at(queue, 0), us);
+    int32_t time_us = (int32_t)us;
+    struct step step = {0, 0, 0};
 
+    step.x_um_q8 = (int32_t)(((int64_t)queue->um_a_us_q24[queue->first] * time_us) >> 16);
+    step.turn = (int32_t)(((int64_t)queue->turn_a_us_q16[queue->first] * time_us) >> 16);
     pose_advance(&queue->reference, &step);
     queue->covered_us += us;
 }
@@ -187,16 +202,22 @@ static void drop_first(struct segment_queue *queue)
  */
 static uint16_t allowed_pace_q15(const struct segment_queue *queue, uint32_t change_q15)
 {
-    uint32_t left_us = duration_us(segment_at(queue, 0)) - queue->covered_us;
+    uint32_t left_us = segment_at(queue, 0)->duration_us - queue->covered_us;
     uint32_t gain_q30 = braking_gain_q30(queue->pace_rate_q15[queue->first], left_us);
     uint32_t square_q30 = braked_square_q30(queue->exit_pace_q15[queue->first], gain_q30);
 
     return (uint16_t)(square_root(square_q30 + change_q15 * change_q15) - change_q15);
 }
 
+/* Of less than 2^23; a division takes four times as long. */
+static uint32_t thousandth(uint32_t value)
+{
+    return (uint32_t)(((uint64_t)value * UINT32_C(4294968)) >> 32);
+}
+
 static uint16_t next_pace_q15(const struct segment_queue *queue, uint16_t wanted_q15, uint16_t ms)
 {
-    uint32_t change_q15 = queue->pace_rate_q15[queue->first] * ms / 1000;
+    uint32_t change_q15 = thousandth(queue->pace_rate_q15[queue->first] * ms);
     uint32_t slowest_q15 = queue->pace_q15 > change_q15 ? queue->pace_q15 - change_q15 : 0;
     uint32_t reachable_q15 = least(queue->pace_q15 + change_q15, wanted_q15);
 
@@ -217,8 +238,8 @@ void segment_queue_advance(struct segment_queue *queue, uint16_t wanted_pace_q15
     queue->pace_q15 = next_pace_q15(queue, wanted_pace_q15, ms);
     time_us = ((uint32_t)queue->pace_q15 * ms * 1000) >> 15;
     while (queue->count != 0 &&
-           queue->covered_us + time_us + INSTANT_US >= duration_us(segment_at(queue, 0))) {
-        uint32_t left_us = duration_us(segment_at(queue, 0)) - queue->covered_us;
+           queue->covered_us + time_us + INSTANT_US >= segment_at(queue, 0)->duration_us) {
+        uint32_t left_us = segment_at(queue, 0)->duration_us - queue->covered_us;
 
         move_reference(queue, left_us);
         time_us -= least(time_us, left_us);
@@ -231,6 +252,11 @@ void segment_queue_advance(struct segment_queue *queue, uint16_t wanted_pace_q15
     }
 }
 
+static int32_t at_pace(int32_t velocity, int32_t pace_q15)
+{
+    return (int32_t)(((int64_t)velocity * pace_q15) >> 15);
+}
+
 struct twist segment_queue_twist(const struct segment_queue *queue)
 {
     struct twist twist = {0, 0, 0};
@@ -238,8 +264,8 @@ struct twist segment_queue_twist(const struct segment_queue *queue)
     if (queue->count != 0) {
         const struct segment *segment = segment_at(queue, 0);
 
-        twist.vx_um_s = (int32_t)(((int64_t)segment->v_um_s * queue->pace_q15) >> 15);
-        twist.w_urad_s = (int32_t)(((int64_t)segment->w_urad_s * queue->pace_q15) >> 15);
+        twist.vx_um_s = at_pace(segment->v_um_s, queue->pace_q15);
+        twist.w_urad_s = at_pace(segment->w_urad_s, queue->pace_q15);
     }
     return twist;
 }

@@ -1,6 +1,7 @@
 /*
  * Drives the robot along a queue of segments. The reference runs ahead and waits for a robot that
- * falls behind; at the end the robot is corrected towards it until it is within a millimetre.
+ * falls behind; at the end the robot is corrected towards it until it is within a millimetre. In one
+ * tick the reference is moved, in the next one the robot is corrected, so that no tick is long.
  */
 #ifndef SEGMENT_RUNNER_H
 #define SEGMENT_RUNNER_H
@@ -10,36 +11,40 @@
 
 #include "pose.h"
 #include "segment.h"
+#include "tracking.h"
 #include "twist.h"
 
 enum {
     /*
-     * Ticks after which the wheels are as fast as commanded. The robot is compared with where
-     * the reference was then; else it would be pushed while it speeds up and run on when it slows
-     * down.
+     * Moves of the reference after which the wheels are as fast as commanded. The robot is compared
+     * with where the reference was then; else it would be pushed while it speeds up and run on when
+     * it slows down.
      */
-    SEGMENT_RUNNER_RESPONSE_TICKS = 3,
+    SEGMENT_RUNNER_RESPONSE_MOVES = 2,
 };
 
 struct segment_runner {
     struct segment_queue queue;
-    struct pose past_references[SEGMENT_RUNNER_RESPONSE_TICKS]; /* the oldest is next */
+    struct pose past_references[SEGMENT_RUNNER_RESPONSE_MOVES]; /* the oldest is next */
     uint8_t next;
-    bool is_halting;
-    bool is_settled; /* is stopped at the reference, which is stopped too */
+    struct tracking_error error; /* as it was last */
+    struct twist twist;          /* to drive */
+    bool is_correcting;          /* in the next tick; else it moves the reference */
+    bool is_active;  /* drives a path, or stands on it */
+    bool is_onward;  /* else it slows down on the path, and stands */
+    bool is_settled; /* the reference is stopped, and the robot at its place */
 };
 
 void segment_runner_begin(struct segment_runner *runner);
 
-/* Drops all segments; the path continues from here. */
-void segment_runner_reset(struct segment_runner *runner, const struct pose *here);
+/* Begins a path; the reference is here, and has this pace. */
+void segment_runner_start(struct segment_runner *runner, const struct pose *here, uint16_t pace_q15,
+                          const struct segment_limits *limits);
 
-bool segment_runner_add(struct segment_runner *runner, const struct segment *segment);
+/* Drops the path. */
+void segment_runner_stop(struct segment_runner *runner);
 
-/* Slows down, stops, and drops the segments. */
-void segment_runner_halt(struct segment_runner *runner);
-
-/* Returns the velocity to drive. */
+/* Every ms milliseconds; returns the velocity to drive. */
 struct twist segment_runner_tick(struct segment_runner *runner, const struct pose *robot,
                                  uint16_t ms);
 

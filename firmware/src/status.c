@@ -22,10 +22,14 @@ void status_write(const struct status *status, uint8_t frame[FRAME_LENGTH])
         put_u16(frame + 38 + 2 * i, status->range_mm[i]);
     }
     put_u16(frame + 44, status->battery_mv);
-    frame[46] = status->missing_floor;
+    frame[46] = (uint8_t)(status->missing_floor | status->pressed_switches << BODY_FLOOR_SENSORS);
     frame[47] = status->queue_free;
     put_u16(frame + 48, status->segments_driven);
     put_u16(frame + 50, status->bad_frames);
     put_u16(frame + 52, status->lost_bytes);
+    put_u16(frame + 54, status->path);
+    frame[56] = status->pace;
+    frame[57] = (uint8_t)status->temperature;
+    put_u32(frame + 58, status->covered_us);
     frame_seal(frame, STATUS_KIND, status->sequence);
 }

@@ -11,7 +11,13 @@
 
 enum { STATUS_KIND = 0x80 };
 
-enum robot_state { ROBOT_STOPPED = 0, ROBOT_STANDING = 1, ROBOT_DRIVING = 2 };
+enum robot_state {
+    ROBOT_STOPPED = 0,
+    ROBOT_STANDING = 1,
+    ROBOT_DRIVING = 2,
+    ROBOT_PATH_STANDING = 3,
+    ROBOT_PATH_DRIVING = 4,
+};
 
 struct status {
     uint8_t sequence;
@@ -27,8 +33,13 @@ struct status {
     uint16_t range_mm[RANGE_SENSORS];
     uint16_t battery_mv;
     uint8_t missing_floor;
+    uint8_t pressed_switches; /* bit 0 to 2: switches 2 to 4 */
+    int8_t temperature;       /* degrees Celsius */
     uint8_t queue_free;
     uint16_t segments_driven;
+    uint16_t path;
+    uint8_t pace; /* 255 as planned */
+    uint32_t covered_us;
     uint16_t bad_frames;
     uint16_t lost_bytes;
 };

@@ -1,30 +1,32 @@
 #include "wheel.h"
 
-/* Rate of a wheel whose rim moves at 1 um/s, times 2^24; pi = 355/113, which is off by 9e-8. */
-static const int64_t RATE_Q24 =
-    (INT64_C(256) * BODY_COUNTS_PER_TURN * 113 * (INT64_C(1) << 24)) /
-    (INT64_C(2) * 355 * BODY_WHEEL_RADIUS_UM);
+/* 2^32 times the rate at 1 um/s of a wheel with a radius of 1 um; pi = 355/113, off by 9e-8. */
+static const int64_t RATE_UM_Q32 =
+    INT64_C(256) * BODY_COUNTS_PER_TURN * 113 * (INT64_C(1) << 32) / (INT64_C(2) * 355);
 
-/* sqrt(3)/2 = 18817/21728, off by 2e-9. */
-static const int64_t ALONG_Q24 =
-    (INT64_C(256) * BODY_COUNTS_PER_TURN * 113 * (INT64_C(1) << 24)) /
-    (INT64_C(2) * 355 * BODY_WHEEL_RADIUS_UM) * 18817 / 21728;
+struct wheel_scale wheel_scale_of(const struct settings *settings)
+{
+    int64_t rate_q32 = RATE_UM_Q32 / settings->wheel_radius_um; /* less than 2^36 */
+    struct wheel_scale scale;
 
-/* Of a body that turns at 1 urad/s. */
-static const int64_t TURNING_Q24 =
-    (INT64_C(256) * BODY_COUNTS_PER_TURN * 113 * (INT64_C(1) << 24)) /
-    (INT64_C(2) * 355 * BODY_WHEEL_RADIUS_UM) * BODY_CENTRE_TO_WHEEL_UM / 1000000;
+    scale.aside = (int32_t)(rate_q32 >> 8);
+    /* sqrt(3)/2 = 18817/21728, off by 2e-9 */
+    scale.along = (int32_t)(rate_q32 * 18817 / 21728 >> 8);
+    scale.turning = (int32_t)(rate_q32 * settings->centre_to_wheel_um / 1000000 >> 8);
+    return scale;
+}
 
 static int32_t rounded_q24(int64_t value)
 {
     return (int32_t)((value + (INT64_C(1) << 23)) >> 24);
 }
 
-void wheel_rates_from_twist(const struct twist *twist, struct wheel_rates *rates)
+void wheel_rates_from_twist(const struct wheel_scale *scale, const struct twist *twist,
+                            struct wheel_rates *rates)
 {
-    int64_t along = ALONG_Q24 * twist->vx_um_s;
-    int64_t aside = RATE_Q24 * twist->vy_um_s;
-    int64_t turning = TURNING_Q24 * twist->w_urad_s;
+    int64_t along = (int64_t)scale->along * twist->vx_um_s;
+    int64_t aside = (int64_t)scale->aside * twist->vy_um_s;
+    int64_t turning = (int64_t)scale->turning * twist->w_urad_s;
 
     rates->q8[0] = rounded_q24(along - aside / 2 + turning);
     rates->q8[1] = rounded_q24(aside + turning);

@@ -15,6 +15,7 @@
 #include <stdint.h>
 
 #include "body.h"
+#include "settings.h"
 #include "twist.h"
 
 /* 220 turns a minute. */
@@ -23,11 +24,21 @@
 /* 150 turns a minute. */
 #define WHEEL_MAX_RATE_Q8 ((int32_t)BODY_COUNTS_PER_TURN * 256 * BODY_MAX_RPM / 60)
 
+/* Of a robot's wheels; all times 2^24. */
+struct wheel_scale {
+    int32_t aside;   /* rate of a wheel whose rim moves at 1 um/s */
+    int32_t along;   /* sqrt(3)/2 of that */
+    int32_t turning; /* of a body that turns at 1 urad/s */
+};
+
 struct wheel_rates {
     int32_t q8[BODY_WHEELS]; /* counts a second times 2^8 */
 };
 
-void wheel_rates_from_twist(const struct twist *twist, struct wheel_rates *rates);
+struct wheel_scale wheel_scale_of(const struct settings *settings);
+
+void wheel_rates_from_twist(const struct wheel_scale *scale, const struct twist *twist,
+                            struct wheel_rates *rates);
 
 /* Slows all wheels alike until none is commanded to turn too fast: the curve stays. */
 void wheel_rates_limit(struct wheel_rates *rates);

@@ -8,10 +8,15 @@
 
 void bench_begin(struct bench *bench)
 {
+    struct settings settings = settings_default();
+
     memset(bench, 0, sizeof *bench);
     bench_drive_begin(&bench->rig);
     bench->inputs.battery_mv = 16000;
-    robot_begin(&bench->robot, STOP_POWER_UP, 1);
+    for (int i = 0; i < BODY_FLOOR_SENSORS; i++) {
+        bench->inputs.floor_mv[i] = 3000;
+    }
+    robot_begin(&bench->robot, STOP_POWER_UP, 1, &settings);
 }
 
 void bench_live(struct bench *bench, uint32_t ms)
@@ -36,6 +41,16 @@ static enum answer say(struct bench *bench, uint8_t frame[FRAME_LENGTH], enum co
     return bench_status(bench).answer;
 }
 
+static void put_segments(uint8_t *at, const struct segment *segments, uint8_t count)
+{
+    *at++ = count;
+    for (uint8_t i = 0; i < count; i++, at += 12) {
+        put_i32(at, segments[i].v_um_s);
+        put_i32(at + 4, segments[i].w_urad_s);
+        put_u32(at + 8, segments[i].duration_us);
+    }
+}
+
 void bench_live_polled(struct bench *bench, uint32_t ms)
 {
     for (uint32_t i = 0; i < ms; i += 20) {
@@ -57,21 +72,33 @@ enum answer bench_velocity(struct bench *bench, int32_t vx, int32_t vy, int32_t 
     return say(bench, frame, COMMAND_VELOCITY);
 }
 
-enum answer bench_segment(struct bench *bench, int32_t v, int32_t w, uint32_t ms)
+enum answer bench_path(struct bench *bench, uint16_t number, const struct segment *segments,
+                       uint8_t count)
 {
     uint8_t frame[FRAME_LENGTH] = {0};
+    struct status now = bench_status(bench);
 
-    put_i32(frame + 4, v);
-    put_i32(frame + 8, w);
-    put_u32(frame + 12, ms);
-    return say(bench, frame, COMMAND_SEGMENT);
+    put_u16(frame + 4, number);
+    put_i32(frame + 6, now.x_um);
+    put_i32(frame + 10, now.y_um);
+    put_i32(frame + 14, now.heading_urad);
+    put_u16(frame + 20, 500);
+    put_u16(frame + 22, 3000);
+    frame[24] = 1;
+    put_segments(frame + 25, segments, count);
+    return say(bench, frame, COMMAND_PATH);
 }
 
-enum answer bench_halt(struct bench *bench)
+enum answer bench_segments(struct bench *bench, uint16_t path, uint16_t first, bool is_onward,
+                           const struct segment *segments, uint8_t count)
 {
     uint8_t frame[FRAME_LENGTH] = {0};
 
-    return say(bench, frame, COMMAND_HALT);
+    put_u16(frame + 4, path);
+    put_u16(frame + 6, first);
+    frame[8] = is_onward;
+    put_segments(frame + 9, segments, count);
+    return say(bench, frame, COMMAND_SEGMENTS);
 }
 
 enum answer bench_clear(struct bench *bench, uint16_t reasons, bool by_person)
@@ -81,6 +108,18 @@ enum answer bench_clear(struct bench *bench, uint16_t reasons, bool by_person)
     put_u16(frame + 4, reasons);
     frame[6] = by_person;
     return say(bench, frame, COMMAND_CLEAR);
+}
+
+enum answer bench_settings(struct bench *bench, const struct settings *settings)
+{
+    uint8_t frame[FRAME_LENGTH] = {0};
+
+    put_u32(frame + 4, settings->wheel_radius_um);
+    put_u32(frame + 8, settings->centre_to_wheel_um);
+    for (int i = 0; i < BODY_FLOOR_SENSORS; i++) {
+        put_u16(frame + 12 + 2 * i, settings->floor_mv[i]);
+    }
+    return say(bench, frame, COMMAND_SETTINGS);
 }
 
 struct status bench_status(const struct bench *bench)

@@ -23,9 +23,15 @@ void bench_live(struct bench *bench, uint32_t ms);
 void bench_live_polled(struct bench *bench, uint32_t ms);
 
 enum answer bench_velocity(struct bench *bench, int32_t vx, int32_t vy, int32_t w);
-enum answer bench_segment(struct bench *bench, int32_t v, int32_t w, uint32_t ms);
-enum answer bench_halt(struct bench *bench);
+
+/* Begins a path where the robot takes itself to be; the next frame bears the next sequence. */
+enum answer bench_path(struct bench *bench, uint16_t number, const struct segment *segments,
+                       uint8_t count);
+
+enum answer bench_segments(struct bench *bench, uint16_t path, uint16_t first, bool is_onward,
+                           const struct segment *segments, uint8_t count);
 enum answer bench_clear(struct bench *bench, uint16_t reasons, bool by_person);
+enum answer bench_settings(struct bench *bench, const struct settings *settings);
 struct status bench_status(const struct bench *bench);
 
 #endif

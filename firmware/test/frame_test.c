@@ -15,7 +15,7 @@ static struct frame_parser parser;
 static void make(uint8_t frame[FRAME_LENGTH], uint8_t sequence)
 {
     memset(frame, 0, FRAME_LENGTH);
-    frame_seal(frame, COMMAND_HALT, sequence);
+    frame_seal(frame, COMMAND_CAPTION, sequence);
 }
 
 static unsigned take(const uint8_t *bytes, unsigned length)

@@ -2,6 +2,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "angle.h"
 #include "check.h"
 #include "command.h"
 #include "status.h"
@@ -40,6 +41,33 @@ static bool is_taken(const struct golden *golden)
     return frames == 1;
 }
 
+static void check_start(const struct golden *golden, const struct path_start *start)
+{
+    CHECK_EQUAL(value(golden, "x_um"), pose_um(start->here.x_um_q16));
+    CHECK_EQUAL(value(golden, "y_um"), pose_um(start->here.y_um_q16));
+    CHECK_NEAR(value(golden, "heading_urad"), angle_urad(start->here.heading), 1);
+    CHECK_EQUAL(value(golden, "pace_q15"), start->pace_q15);
+    CHECK_EQUAL(value(golden, "acceleration_mm_s2"), start->limits.acceleration_mm_s2);
+    CHECK_EQUAL(value(golden, "turn_acceleration_mrad_s2"),
+                start->limits.turn_acceleration_mrad_s2);
+}
+
+static void check_segments(const struct golden *golden, const struct path_segments *more)
+{
+    CHECK_EQUAL(value(golden, "onward"), more->is_onward);
+    CHECK_EQUAL(value(golden, "count"), more->count);
+    for (unsigned i = 0; i < more->count; i++) {
+        char key[16];
+
+        snprintf(key, sizeof key, "v%u_um_s", i + 1);
+        CHECK_EQUAL(value(golden, key), more->segments[i].v_um_s);
+        snprintf(key, sizeof key, "w%u_urad_s", i + 1);
+        CHECK_EQUAL(value(golden, key), more->segments[i].w_urad_s);
+        snprintf(key, sizeof key, "t%u_us", i + 1);
+        CHECK_EQUAL(value(golden, key), more->segments[i].duration_us);
+    }
+}
+
 static void check_command(const struct golden *golden)
 {
     struct command command;
@@ -56,19 +84,33 @@ static void check_command(const struct golden *golden)
         CHECK_EQUAL(value(golden, "vy_um_s"), command.as.velocity.vy_um_s);
         CHECK_EQUAL(value(golden, "w_urad_s"), command.as.velocity.w_urad_s);
         break;
-    case COMMAND_SEGMENT:
-        CHECK(is_kind(golden, "segment"));
-        CHECK_EQUAL(value(golden, "v_um_s"), command.as.segment.v_um_s);
-        CHECK_EQUAL(value(golden, "w_urad_s"), command.as.segment.w_urad_s);
-        CHECK_EQUAL(value(golden, "duration_ms"), command.as.segment.duration_ms);
+    case COMMAND_PATH:
+        CHECK(is_kind(golden, "path"));
+        CHECK_EQUAL(value(golden, "number"), command.as.path.more.path);
+        check_start(golden, &command.as.path.start);
+        check_segments(golden, &command.as.path.more);
         break;
-    case COMMAND_HALT:
-        CHECK(is_kind(golden, "halt"));
+    case COMMAND_SEGMENTS:
+        CHECK(is_kind(golden, "segments"));
+        CHECK_EQUAL(value(golden, "path"), command.as.path.more.path);
+        CHECK_EQUAL(value(golden, "first"), command.as.path.more.first);
+        check_segments(golden, &command.as.path.more);
         break;
     case COMMAND_CLEAR:
         CHECK(is_kind(golden, "clear"));
         CHECK_EQUAL(value(golden, "reasons"), command.as.clear.reasons);
         CHECK_EQUAL(value(golden, "by"), command.as.clear.by_person);
+        break;
+    case COMMAND_SETTINGS:
+        CHECK(is_kind(golden, "settings"));
+        CHECK_EQUAL(value(golden, "wheel_radius_um"), command.as.settings.wheel_radius_um);
+        CHECK_EQUAL(value(golden, "centre_to_wheel_um"), command.as.settings.centre_to_wheel_um);
+        for (unsigned i = 0; i < BODY_FLOOR_SENSORS; i++) {
+            char key[16];
+
+            snprintf(key, sizeof key, "floor%u_mv", i + 1);
+            CHECK_EQUAL(value(golden, key), command.as.settings.floor_mv[i]);
+        }
         break;
     case COMMAND_CAPTION:
         CHECK(is_kind(golden, "caption"));
@@ -96,8 +138,13 @@ static void check_status(const struct golden *golden)
                      (uint16_t)value(golden, "range3_mm")},
         .battery_mv = (uint16_t)value(golden, "battery_mv"),
         .missing_floor = (uint8_t)value(golden, "floor"),
+        .pressed_switches = (uint8_t)value(golden, "switches"),
+        .temperature = (int8_t)value(golden, "temperature"),
         .queue_free = (uint8_t)value(golden, "queue_free"),
         .segments_driven = (uint16_t)value(golden, "segments"),
+        .path = (uint16_t)value(golden, "path"),
+        .pace = (uint8_t)value(golden, "pace"),
+        .covered_us = (uint32_t)value(golden, "covered_us"),
         .bad_frames = (uint16_t)value(golden, "bad"),
         .lost_bytes = (uint16_t)value(golden, "lost"),
     };

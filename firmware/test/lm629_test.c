@@ -25,7 +25,7 @@ static void no_controller_is_spoken_to_while_it_is_busy(void)
 
     bench_begin(&bench);
     bench_clear(&bench, STOP_POWER_UP, false);
-    bench_segment(&bench, 250000, 1000000, 1000);
+    bench_path(&bench, 1, (struct segment[]){{250000, 1000000, 1000000}}, 1);
     bench_live_polled(&bench, 3000);
     for (int i = 0; i < RIG_WHEELS; i++) {
         CHECK_EQUAL(0, lm629_bench_controller(i)->rudenesses);

@@ -8,8 +8,10 @@
  *   PD2    USART1 RXD: range sensors, 38400 baud
  *   PD4-7  display D4-D7                     PG0 RS   PG1 E
  *   PD0    motor drivers too hot, active low PD1  stop switch, active low
+ *   PE2-3  switches 2 and 3, PE7  switch 4, active low
  *   PE4-6  PWM drive: encoder A (INT4-6)
  *   PF0    battery, 1:5                      PF1-5  floor sensors
+ *   PF6    temperature of the motor drivers, 10 mV a degree Celsius (as of an LM35)
  */
 #ifndef BOARD_H
 #define BOARD_H
@@ -45,13 +47,17 @@
 #define ALARM_HEAT _BV(PD0)
 #define ALARM_SWITCH _BV(PD1)
 
+#define SWITCH_PORT PORTE
+#define SWITCH_PIN PINE
+#define SWITCH_2 _BV(PE2)
+#define SWITCH_3 _BV(PE3)
+#define SWITCH_4 _BV(PE7)
+
 #define BATTERY_CHANNEL 0
 #define BATTERY_DIVIDER 5
 #define FLOOR_CHANNEL 1
-#define FLOOR_SENSORS 5
-
-/* Below this the sensor sees no floor: nothing reflects its light. */
-#define FLOOR_MISSING_MV 1000
+#define TEMPERATURE_CHANNEL 6
+#define MV_A_DEGREE 10
 
 #define ADC_REFERENCE_MV 5000
 

@@ -12,10 +12,12 @@
 #include "psd_uart.h"
 #include "robot.h"
 #include "sensors.h"
+#include "settings_store.h"
 #include "spi_slave.h"
 
 enum {
     PANEL_PERIOD_MS = 100,
+    STORE_PERIOD_MS = 16, /* the EEPROM takes 8.5 ms for a byte */
     MAX_BYTES = 32, /* to be received at once: half a frame; a millisecond brings 62 at most */
 };
 
@@ -97,12 +99,16 @@ static void run_millisecond(uint32_t now_ms)
         panel_write(&panel, &robot);
     }
     lcd_step(&panel);
+    if ((uint8_t)now_ms % STORE_PERIOD_MS == 0) {
+        settings_store_step(&robot.settings);
+    }
 }
 
 static void begin(void)
 {
     uint8_t first[FRAME_LENGTH];
     enum stop_reason reason = reason_of_start();
+    struct settings settings = settings_store_read();
 
     wdt_enable(WDTO_250MS);
     wdt_reset();
@@ -110,7 +116,7 @@ static void begin(void)
     sensors_begin(&inputs);
     psd_uart_begin();
     frame_parser_begin(&parser);
-    robot_begin(&robot, reason, power_cycle_count());
+    robot_begin(&robot, reason, power_cycle_count(), &settings);
     panel_write(&panel, &robot);
     write_status(first);
     spi_slave_begin(first);

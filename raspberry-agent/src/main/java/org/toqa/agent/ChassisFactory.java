@@ -8,6 +8,7 @@ import org.toqa.agent.chassis.SimulatedChassis;
 import org.toqa.agent.config.AgentConfig;
 import org.toqa.agent.config.ChassisConfig;
 import org.toqa.agent.firmware.FirmwareChassis;
+import org.toqa.agent.firmware.FirmwareSettings;
 import org.toqa.agent.firmware.FrameTransport;
 import org.toqa.agent.firmware.SerialTransport;
 import org.toqa.agent.firmware.SimulatorTransport;
@@ -36,12 +37,13 @@ final class ChassisFactory {
               body.seed(),
               new RangeSensors(config.footprint() / 2),
               body.surroundings());
-      case ChassisConfig.SimulatedFirmware(var socket, var start, boolean ranges) ->
-          openFirmware(config, new SimulatorTransport(socket), start, ranges, nanos);
-      case ChassisConfig.Spi(var device, int hertz, int wordDelay, boolean ranges) ->
-          openFirmware(config, new SpidevTransport(device, hertz, wordDelay), null, ranges, nanos);
-      case ChassisConfig.Serial(var device, int baud, boolean ranges) ->
-          openFirmware(config, new SerialTransport(device, baud), null, ranges, nanos);
+      case ChassisConfig.SimulatedFirmware(var socket, var start, var ranges, var settings) ->
+          openFirmware(config, new SimulatorTransport(socket), start, ranges, settings, nanos);
+      case ChassisConfig.Spi(var device, var hertz, var wordDelay, var ranges, var settings) ->
+          openFirmware(
+              config, new SpidevTransport(device, hertz, wordDelay), null, ranges, settings, nanos);
+      case ChassisConfig.Serial(var device, var baud, var ranges, var settings) ->
+          openFirmware(config, new SerialTransport(device, baud), null, ranges, settings, nanos);
     };
   }
 
@@ -50,11 +52,12 @@ final class ChassisFactory {
       FrameTransport transport,
       @Nullable Pose start,
       boolean hasRangeSensors,
+      FirmwareSettings settings,
       long nanos)
       throws IOException {
     String caption = config.name() + " " + config.address().getHostAddress();
     try {
-      return new FirmwareChassis(transport, caption, start, hasRangeSensors, nanos);
+      return new FirmwareChassis(transport, caption, start, hasRangeSensors, settings, nanos);
     } catch (IOException e) {
       transport.close();
       throw e;

@@ -12,6 +12,7 @@ import org.toqa.agent.access.LinkEndpoint;
 import org.toqa.agent.access.LinkEndpointConfig;
 import org.toqa.agent.access.PeerRole;
 import org.toqa.agent.chassis.Chassis;
+import org.toqa.agent.chassis.ChassisCommand;
 import org.toqa.agent.config.AgentConfig;
 import org.toqa.agent.connection.PeerConnections;
 import org.toqa.agent.control.RobotControl;
@@ -20,7 +21,6 @@ import org.toqa.agent.formation.FormationBroadcasts;
 import org.toqa.agent.storage.DataFolder;
 import org.toqa.agent.storage.Journal;
 import org.toqa.geometry.Pose;
-import org.toqa.geometry.Twist;
 import org.toqa.link.message.AgentMessage;
 import org.toqa.link.message.AgentMessage.Ack;
 import org.toqa.link.message.AgentMessage.Hello;
@@ -59,7 +59,7 @@ public final class Daemon implements AutoCloseable {
   private final PeerConnections.Handler messageHandler = new MessageHandler();
 
   private int ticks;
-  private Twist command = Twist.ZERO;
+  private ChassisCommand command = ChassisCommand.STANDSTILL;
   private volatile long nanos; // the endpoint's threads read it
 
   /**
@@ -146,7 +146,7 @@ public final class Daemon implements AutoCloseable {
           new RobotControl(
               config,
               new Journal(folder.path()),
-              chassis.exchange(Twist.ZERO, nanos),
+              chassis.exchange(ChassisCommand.STANDSTILL, nanos),
               endpoint.tls().isPresent(),
               chassis::clearStops);
     } catch (IOException e) {
@@ -194,7 +194,7 @@ public final class Daemon implements AutoCloseable {
   /** Whether it neither drives nor has to do with a formation, and would not miss some ticks. */
   boolean isAtRest() {
     return ticks == SelfTest.TICKS
-        && command.equals(Twist.ZERO)
+        && command.equals(ChassisCommand.STANDSTILL)
         && !connections.hasLeader()
         && broadcasts.isEmpty()
         && control.isAtRest();
@@ -231,7 +231,7 @@ public final class Daemon implements AutoCloseable {
     control.update(chassis.exchange(command, now), now / 1e9);
     connections.process(messageHandler, now);
     broadcasts.takeAnswers().forEach(control::handle);
-    command = config.limits().clampedTwist(control.drive(seconds, connections.isServerSilent(now)));
+    command = control.drive(seconds, connections.isServerSilent(now));
     connections.answerLeader(control::answerTo);
     broadcasts.update(control.leadOrder(), control.done(), now);
     broadcasts.send(
@@ -253,7 +253,7 @@ public final class Daemon implements AutoCloseable {
     endpoint.close();
     broadcasts.close();
     connections.close();
-    chassis.exchange(Twist.ZERO, nanos);
+    chassis.exchange(ChassisCommand.STANDSTILL, nanos);
     chassis.close();
     folder.close();
     log.info("{}: ended.", config.name());

@@ -9,7 +9,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.toqa.agent.chassis.SimulatedBattery;
 import org.toqa.agent.config.ChassisConfig;
-import org.toqa.agent.config.MotionLimits;
+import org.toqa.agent.drive.MotionLimits;
 import org.toqa.geometry.Pose;
 import org.toqa.geometry.Twist;
 import org.toqa.geometry.Vec2;

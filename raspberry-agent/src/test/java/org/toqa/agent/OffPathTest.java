@@ -11,6 +11,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.toqa.agent.chassis.SimulatedBattery;
+import org.toqa.agent.chassis.SimulatedChassis;
 import org.toqa.agent.config.ChassisConfig;
 import org.toqa.geometry.Pose;
 import org.toqa.geometry.Vec2;
@@ -34,15 +35,12 @@ class OffPathTest {
   private TestServer server;
 
   @SuppressWarnings("NullAway.Init")
-  private ShovedChassis body;
+  private SimulatedChassis body;
 
   @BeforeEach
   void connect() {
-    rig =
-        new Rig(
-            folder,
-            new ChassisConfig.Simulated(Rig.START, SimulatedBattery.FULL, 0, 7, 1),
-            chassis -> body = new ShovedChassis(chassis));
+    rig = new Rig(folder, new ChassisConfig.Simulated(Rig.START, SimulatedBattery.FULL, 0, 7, 1));
+    body = (SimulatedChassis) rig.body();
     server = rig.connect();
   }
 

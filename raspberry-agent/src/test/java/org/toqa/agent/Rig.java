@@ -15,7 +15,7 @@ import org.toqa.agent.chassis.Chassis;
 import org.toqa.agent.chassis.SimulatedBattery;
 import org.toqa.agent.config.AgentConfig;
 import org.toqa.agent.config.ChassisConfig;
-import org.toqa.agent.config.MotionLimits;
+import org.toqa.agent.drive.MotionLimits;
 import org.toqa.agent.storage.DataFolder;
 import org.toqa.geometry.Pose;
 

@@ -4,11 +4,10 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Set;
 import java.util.TreeSet;
-import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.toqa.agent.chassis.Chassis;
+import org.toqa.agent.chassis.ChassisCommand;
 import org.toqa.agent.chassis.ChassisReading;
-import org.toqa.geometry.Twist;
 import org.toqa.link.message.AgentMessage.Fault;
 
 /** A body that stops itself as the firmware does, when the test says so. */
@@ -32,18 +31,13 @@ final class StoppingChassis implements Chassis {
   }
 
   @Override
-  public ChassisReading exchange(Twist command, long nanos) {
-    ChassisReading now = body.exchange(stops.isEmpty() ? command : Twist.ZERO, nanos);
-    return new ChassisReading(
-        now.powerCycle(),
-        now.startPose(),
-        now.odometry(),
-        now.twist(),
-        now.battery(),
-        now.ranges(),
+  public ChassisReading exchange(ChassisCommand command, long nanos) {
+    ChassisReading now =
+        body.exchange(stops.isEmpty() ? command : ChassisCommand.STANDSTILL, nanos);
+    return now.withFaults(
         Stream.concat(
                 now.faults().stream(), stops.stream().map(code -> new Fault(code, code, true)))
-            .collect(Collectors.toList()));
+            .toList());
   }
 
   @Override

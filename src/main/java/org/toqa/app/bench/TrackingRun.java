@@ -2,7 +2,7 @@ package org.toqa.app.bench;
 
 import java.util.List;
 import org.toqa.agent.chassis.SimulatedWheels;
-import org.toqa.agent.config.MotionLimits;
+import org.toqa.agent.drive.MotionLimits;
 import org.toqa.agent.drive.PaceLimits;
 import org.toqa.agent.drive.ReferenceTrajectory;
 import org.toqa.agent.drive.SegmentRunner;

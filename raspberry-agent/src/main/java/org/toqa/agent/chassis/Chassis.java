@@ -2,12 +2,13 @@ package org.toqa.agent.chassis;
 
 import java.time.Duration;
 import java.util.Set;
+import org.toqa.agent.chassis.ChassisCommand.MoveAt;
 import org.toqa.geometry.Twist;
 
 /**
  * A robot's body: wheels, odometry, battery and range sensors. The body is apart from the daemon:
- * its odometry counts on while no daemon runs, and it stops its wheels by itself when it got no
- * command for {@link #COMMAND_LIFE_NANOS}.
+ * its odometry counts on while no daemon runs, and it stops its wheels by itself, and drops the
+ * path that it drives, when it got no command for {@link #COMMAND_LIFE_NANOS}.
  *
  * <p>The conversation: the daemon calls {@link #exchange} at every tick, always from the same
  * thread; the answer is the body as it is now, at the end of what the previous command did.
@@ -19,11 +20,23 @@ public interface Chassis extends AutoCloseable {
   /** A command older than this stops the wheels. */
   long COMMAND_LIFE_NANOS = 200_000_000;
 
+  /** How many segments of a path the body has at once, at most. */
+  int QUEUE_LENGTH = 16;
+
   /**
-   * @param command the velocity wanted from now on, in the robot's frame
+   * @param command what to do from now on
    * @param nanos the daemon's monotonic time; a simulated body simulates up to it
    */
-  ChassisReading exchange(Twist command, long nanos);
+  ChassisReading exchange(ChassisCommand command, long nanos);
+
+  /**
+   * The same with a velocity.
+   *
+   * @param velocity wanted from now on, in the robot's frame
+   */
+  default ChassisReading exchange(Twist velocity, long nanos) {
+    return exchange(new MoveAt(velocity), nanos);
+  }
 
   /**
    * Tells the body what is on board from now on; from the thread of {@link #exchange}.

@@ -20,6 +20,7 @@ import org.toqa.link.message.AgentMessage.Fault;
  * @param battery 0 to 1
  * @param ranges metres, in the order of the range sensors
  * @param faults why the body cannot drive; empty when it can
+ * @param progress on the path that it drives by itself; null while it drives none
  */
 public record ChassisReading(
     long powerCycle,
@@ -28,11 +29,18 @@ public record ChassisReading(
     Twist twist,
     double battery,
     List<Double> ranges,
-    List<Fault> faults) {
+    List<Fault> faults,
+    @Nullable PathProgress progress) {
 
   public ChassisReading {
     ranges = List.copyOf(ranges);
     faults = List.copyOf(faults);
+  }
+
+  /** The same with these faults. */
+  public ChassisReading withFaults(List<Fault> others) {
+    return new ChassisReading(
+        powerCycle, startPose, odometry, twist, battery, ranges, others, progress);
   }
 
   /** The codes of the stops that only a person's word clears. */

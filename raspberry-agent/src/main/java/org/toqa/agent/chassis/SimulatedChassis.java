@@ -5,20 +5,24 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.SplittableRandom;
 import org.jspecify.annotations.Nullable;
+import org.toqa.agent.chassis.ChassisCommand.DrivePath;
+import org.toqa.agent.chassis.ChassisCommand.MoveAt;
 import org.toqa.avoidance.RangeSensors;
 import org.toqa.geometry.Pose;
 import org.toqa.geometry.Twist;
+import org.toqa.geometry.Vec2;
 import org.toqa.motion.Odometry;
 import org.toqa.motion.WheelKinematics;
 import org.toqa.motion.WheelLimits;
 import org.toqa.motion.WheelSpeeds;
 
 /**
- * The body of a robot on two or three wheels, simulated: motors that follow a command with a lag
- * and a limited acceleration, wheels that slip a little (seeded noise between what turns and what
- * moves), odometry from encoder counts alone but for marks on the floor, a battery (see {@link
- * SimulatedBattery}), range sensors (see {@link SimulatedRangeSensors}). Its state is kept in a
- * file, see {@link SimulatedChassisFile}.
+ * The body of a robot on two or three wheels, simulated: a queue of segments that it drives by
+ * itself as the firmware does, motors that follow a command with a lag and a limited acceleration,
+ * wheels that slip a little (seeded noise between what turns and what moves), odometry from encoder
+ * counts alone but for marks on the floor, a battery (see {@link SimulatedBattery}), range sensors
+ * (see {@link SimulatedRangeSensors}). Its state is kept in a file, see {@link
+ * SimulatedChassisFile}.
  */
 public final class SimulatedChassis implements Chassis {
 
@@ -58,6 +62,13 @@ public final class SimulatedChassis implements Chassis {
   private long lastNanos;
   private long commandNanos;
   private int framesToLose;
+
+  /** Null while it drives by a velocity. */
+  private @Nullable SegmentQueue queue;
+
+  /** The number of the last path that it began. */
+  private long lastPath;
+
   private @Nullable ChassisReading reading;
 
   /** Kilograms on board. */
@@ -143,7 +154,7 @@ public final class SimulatedChassis implements Chassis {
   }
 
   @Override
-  public ChassisReading exchange(Twist command, long nanos) {
+  public ChassisReading exchange(ChassisCommand command, long nanos) {
     if (started) {
       simulate(nanos - lastNanos);
     }
@@ -151,14 +162,33 @@ public final class SimulatedChassis implements Chassis {
     lastNanos = nanos;
     boolean isLost = framesToLose > 0;
     framesToLose -= isLost ? 1 : 0;
-    state = isLost ? state : state.withCommand(command);
-    commandNanos = isLost ? commandNanos : nanos;
+    if (!isLost) {
+      take(command);
+      commandNanos = nanos;
+    }
     file.write(state);
     surroundings.setTruePose(state.truePose());
     if (!isLost || reading == null) {
       reading = reading(nanos);
     }
     return reading;
+  }
+
+  private void take(ChassisCommand command) {
+    SegmentQueue driven = queue;
+    switch (command) {
+      case MoveAt(Twist velocity) -> {
+        queue = null;
+        state = state.withCommand(velocity);
+      }
+      case DrivePath path when driven != null && driven.path() == path.number() ->
+          driven.take(path);
+      case DrivePath path when path.number() > lastPath -> {
+        queue = new SegmentQueue(path);
+        lastPath = path.number();
+      }
+      case DrivePath _ -> {} // it was dropped
+    }
   }
 
   private ChassisReading reading(long nanos) {
@@ -169,7 +199,8 @@ public final class SimulatedChassis implements Chassis {
         kinematics.twist(state.wheelSpeeds()),
         state.battery(),
         ranges.update(state.truePose(), nanos),
-        List.of());
+        List.of(),
+        queue == null ? null : queue.progress());
   }
 
   /** Where the body really is, map frame: what no robot knows of itself. */
@@ -181,7 +212,18 @@ public final class SimulatedChassis implements Chassis {
   public void cyclePower() {
     state = state.withPowerCycle();
     odometry = odometryOf(state);
+    queue = null;
     file.write(state);
+  }
+
+  /**
+   * Fault switch: somebody pushes it aside, and its odometry tells it.
+   *
+   * @param by metres, in the frame in which it began
+   */
+  public void shove(Vec2 by) {
+    state = state.shoved(by);
+    odometry = odometryOf(state);
   }
 
   /** Fault switch: so many exchanges to come do not reach the body, and bring no new reading. */
@@ -201,7 +243,7 @@ public final class SimulatedChassis implements Chassis {
    * @param share of its turning that is lost, 0 to 1
    */
   public void setWheelSlip(int wheel, double share) {
-    grip = NO_SLIP.with(wheel, 1 - share);
+    grip = grip.with(wheel, 1 - share);
   }
 
   /**
@@ -221,8 +263,24 @@ public final class SimulatedChassis implements Chassis {
   private void simulate(long nanos) {
     long left = Math.max(0, commandNanos + COMMAND_LIFE_NANOS - lastNanos);
     double commanded = Math.min(nanos, left) / 1e9;
-    move(state.command(), commanded);
-    move(Twist.ZERO, nanos / 1e9 - commanded);
+    if (queue == null) {
+      move(state.command(), commanded);
+    } else {
+      driveAlong(queue, commanded);
+    }
+    if (nanos > left) {
+      queue = null;
+      state = state.withCommand(Twist.ZERO);
+      move(Twist.ZERO, (nanos - left) / 1e9);
+    }
+  }
+
+  private void driveAlong(SegmentQueue path, double seconds) {
+    for (double left = seconds; left > 1e-9; left -= LONGEST_STEP_SECONDS) {
+      double step = Math.min(left, LONGEST_STEP_SECONDS);
+      state = state.withCommand(path.steer(state.odometry(), step));
+      move(state.command(), step);
+    }
   }
 
   /** The body of a daemon that ended: its last command ran out, then it came to a standstill. */

@@ -2,6 +2,7 @@ package org.toqa.agent.chassis;
 
 import org.toqa.geometry.Pose;
 import org.toqa.geometry.Twist;
+import org.toqa.geometry.Vec2;
 import org.toqa.motion.WheelSpeeds;
 
 /**
@@ -62,6 +63,26 @@ record SimulatedChassisState(
   SimulatedChassisState withOdometry(Pose moved) {
     return new SimulatedChassisState(
         powerCycle, start, truePose, wheelTurns, wheelSpeeds, moved, command, battery, steps);
+  }
+
+  /**
+   * The same, put aside, which it knows.
+   *
+   * @param by metres, in the frame in which it began
+   */
+  SimulatedChassisState shoved(Vec2 by) {
+    Vec2 really = truePose.position().plus(by.rotated(start.theta()));
+    Vec2 moved = odometry.position().plus(by);
+    return new SimulatedChassisState(
+        powerCycle,
+        start,
+        new Pose(really.x(), really.y(), truePose.theta()),
+        wheelTurns,
+        wheelSpeeds,
+        new Pose(moved.x(), moved.y(), odometry.theta()),
+        command,
+        battery,
+        steps);
   }
 
   /** Switched off and on again where it is: it is stopped, and its odometry starts anew. */

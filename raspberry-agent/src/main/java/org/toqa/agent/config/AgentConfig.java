@@ -11,6 +11,7 @@ import java.util.Arrays;
 import java.util.Map;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
+import org.toqa.agent.drive.MotionLimits;
 import org.toqa.formation.FollowerLaw;
 import org.toqa.formation.FollowerLawType;
 import org.toqa.formation.Gains;
@@ -78,17 +79,22 @@ public record AgentConfig(
    */
   public static AgentConfig read(Path file) throws ConfigException {
     ConfigSection top = new ConfigSection(file.toString(), "", readKeys(file), KEYS);
-    return new AgentConfig(
-        robotName(top),
-        address(top),
-        (int) top.integer("port", 7275, 0, 65_535),
-        top.flag("plainTcpOffLoopback", false),
-        file.toAbsolutePath().resolveSibling(top.text("dataDir")).normalize(),
-        top.number("maxLoad", 5, 0, 10_000),
-        top.number("footprint", 0.255, 0.05, 5),
-        limits(top),
-        following(top.section("following", "law", "placeGain", "headingGain", "linkDelay")),
-        ChassisConfig.read(file, top));
+    AgentConfig config =
+        new AgentConfig(
+            robotName(top),
+            address(top),
+            (int) top.integer("port", 7275, 0, 65_535),
+            top.flag("plainTcpOffLoopback", false),
+            file.toAbsolutePath().resolveSibling(top.text("dataDir")).normalize(),
+            top.number("maxLoad", 5, 0, 10_000),
+            top.number("footprint", 0.255, 0.05, 5),
+            limits(top),
+            following(top.section("following", "law", "placeGain", "headingGain", "linkDelay")),
+            ChassisConfig.read(file, top));
+    // the body is asked last, so that mistakes are told in the order of the keys
+    top.number("maxSpeed", config.limits.speed(), 0.01, config.chassis.mostSpeed());
+    top.number("maxTurnRate", config.limits.turnRate(), 0.01, config.chassis.mostTurnRate());
+    return config;
   }
 
   private static Map<?, ?> readKeys(Path file) throws ConfigException {

@@ -4,7 +4,9 @@ import java.nio.file.Path;
 import org.jspecify.annotations.Nullable;
 import org.toqa.agent.chassis.SimulatedBattery;
 import org.toqa.agent.chassis.Surroundings;
+import org.toqa.agent.firmware.FirmwareSettings;
 import org.toqa.geometry.Pose;
+import org.toqa.motion.ThreeWheelKinematics;
 
 /** The body under a daemon, as its configuration names it. */
 public sealed interface ChassisConfig {
@@ -12,6 +14,16 @@ public sealed interface ChassisConfig {
   /** How many times faster than real time it and its daemon live. */
   default double timeFactor() {
     return 1;
+  }
+
+  /** Metres a second: no faster may it be told to drive. */
+  default double mostSpeed() {
+    return 1;
+  }
+
+  /** Radians a second, likewise. */
+  default double mostTurnRate() {
+    return 10;
   }
 
   /**
@@ -32,6 +44,16 @@ public sealed interface ChassisConfig {
       Surroundings surroundings)
       implements ChassisConfig {
 
+    @Override
+    public double mostSpeed() {
+      return 5;
+    }
+
+    @Override
+    public double mostTurnRate() {
+      return 20;
+    }
+
     /** One on an endless empty floor. */
     public Simulated(Pose start, SimulatedBattery power, double noise, long seed, double speed) {
       this(start, power, noise, seed, speed, Surroundings.EMPTY);
@@ -45,9 +67,17 @@ public sealed interface ChassisConfig {
    * @param start where the body was when it was switched on for the first time, map frame; null
    *     where nobody knows
    * @param rangeSensors whether it has some, and so avoids obstacles
+   * @param settings what was measured of this robot
    */
-  record SimulatedFirmware(Path socket, @Nullable Pose start, boolean rangeSensors)
-      implements ChassisConfig {}
+  record SimulatedFirmware(
+      Path socket, @Nullable Pose start, boolean rangeSensors, FirmwareSettings settings)
+      implements ChassisConfig {
+
+    /** One that nobody has measured. */
+    public SimulatedFirmware(Path socket, @Nullable Pose start, boolean rangeSensors) {
+      this(socket, start, rangeSensors, FirmwareSettings.DEFAULT);
+    }
+  }
 
   /**
    * The robot's microcontroller on the SPI bus.
@@ -56,8 +86,10 @@ public sealed interface ChassisConfig {
    * @param hertz of the bus's clock
    * @param wordDelayMicros pause after each byte
    * @param rangeSensors whether it has some, and so avoids obstacles
+   * @param settings what was measured of this robot
    */
-  record Spi(Path device, int hertz, int wordDelayMicros, boolean rangeSensors)
+  record Spi(
+      Path device, int hertz, int wordDelayMicros, boolean rangeSensors, FirmwareSettings settings)
       implements ChassisConfig {}
 
   /**
@@ -66,8 +98,10 @@ public sealed interface ChassisConfig {
    * @param device such as {@code /dev/serial0}
    * @param baud bits a second
    * @param rangeSensors whether it has some, and so avoids obstacles
+   * @param settings what was measured of this robot
    */
-  record Serial(Path device, int baud, boolean rangeSensors) implements ChassisConfig {}
+  record Serial(Path device, int baud, boolean rangeSensors, FirmwareSettings settings)
+      implements ChassisConfig {}
 
   /**
    * @param file of the configuration; a relative path in it counts from there
@@ -89,7 +123,10 @@ public sealed interface ChassisConfig {
             "clock",
             "wordDelay",
             "baud",
-            "rangeSensors");
+            "rangeSensors",
+            "wheelRadius",
+            "centreToWheel",
+            "floorThresholds");
     String type = body.text("type");
     return switch (type) {
       case "simulated" ->
@@ -103,20 +140,44 @@ public sealed interface ChassisConfig {
           new SimulatedFirmware(
               file.toAbsolutePath().resolveSibling(body.text("socket")).normalize(),
               body.has("start") ? start(body) : null,
-              body.flag("rangeSensors", true));
+              body.flag("rangeSensors", true),
+              settings(body));
       case "spi" ->
           new Spi(
               Path.of(body.text("device", "/dev/spidev0.0")),
               (int) body.integer("clock", 1_000_000, 100_000, 2_000_000),
               (int) body.integer("wordDelay", 16, 12, 100),
-              body.flag("rangeSensors", true));
+              body.flag("rangeSensors", true),
+              settings(body));
       case "serial" ->
           new Serial(
               Path.of(body.text("device", "/dev/serial0")),
               (int) body.integer("baud", 115_200, 115_200, 1_000_000),
-              body.flag("rangeSensors", true));
+              body.flag("rangeSensors", true),
+              settings(body));
       default -> throw body.invalid("type", type, "simulated, simulated-firmware, spi or serial");
     };
+  }
+
+  private static FirmwareSettings settings(ConfigSection body) throws ConfigException {
+    ThreeWheelKinematics usual = FirmwareSettings.DEFAULT.wheels();
+    return new FirmwareSettings(
+        new ThreeWheelKinematics(
+            body.number(
+                "wheelRadius",
+                usual.wheelRadius(),
+                FirmwareSettings.LEAST_WHEEL_RADIUS,
+                FirmwareSettings.MOST_WHEEL_RADIUS),
+            body.number(
+                "centreToWheel",
+                usual.centreToWheel(),
+                FirmwareSettings.LEAST_CENTRE_TO_WHEEL,
+                FirmwareSettings.MOST_CENTRE_TO_WHEEL)),
+        body.numbers(
+            "floorThresholds",
+            FirmwareSettings.DEFAULT.floorVolts(),
+            FirmwareSettings.LEAST_FLOOR_VOLTS,
+            FirmwareSettings.MOST_FLOOR_VOLTS));
   }
 
   private static Pose start(ConfigSection body) throws ConfigException {

@@ -99,6 +99,31 @@ final class ConfigSection {
     throw invalid(key, value, "a number from %s to %s".formatted(plain(least), plain(most)));
   }
 
+  /** A list of as many numbers as the default has. */
+  List<Double> numbers(String key, List<Double> defaultValue, double least, double most)
+      throws ConfigException {
+    Object value = values.get(key);
+    if (value == null) {
+      return defaultValue;
+    }
+    List<Double> numbers = new ArrayList<>();
+    if (value instanceof List<?> items && items.size() == defaultValue.size()) {
+      for (Object item : items) {
+        if (item instanceof Number n && n.doubleValue() >= least && n.doubleValue() <= most) {
+          numbers.add(n.doubleValue());
+        }
+      }
+    }
+    if (numbers.size() != defaultValue.size()) {
+      throw invalid(
+          key,
+          value,
+          "a list of %d numbers from %s to %s"
+              .formatted(defaultValue.size(), plain(least), plain(most)));
+    }
+    return numbers;
+  }
+
   long integer(String key, long defaultValue, long least, long most) throws ConfigException {
     Object value = values.get(key);
     if (value == null) {

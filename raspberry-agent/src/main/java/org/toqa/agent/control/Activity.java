@@ -2,8 +2,9 @@ package org.toqa.agent.control;
 
 import java.util.Optional;
 import org.jspecify.annotations.Nullable;
+import org.toqa.agent.chassis.ChassisCommand;
+import org.toqa.agent.chassis.ChassisReading;
 import org.toqa.geometry.Pose;
-import org.toqa.geometry.Twist;
 import org.toqa.link.message.AgentMessage.Fault;
 import org.toqa.link.message.AgentMessage.Role;
 
@@ -16,12 +17,13 @@ sealed interface Activity permits Alone, Leading, Following {
   /**
    * One tick of the control.
    *
+   * @param reading of the body
    * @param pose where the robot is, map frame
    * @param seconds since the last tick
    * @param now seconds on the daemon's monotonic clock
    * @param canMove false: held, or its body has a fault
    */
-  record Tick(Pose pose, double seconds, double now, boolean canMove) {}
+  record Tick(ChassisReading reading, Pose pose, double seconds, double now, boolean canMove) {}
 
   Role role();
 
@@ -31,9 +33,9 @@ sealed interface Activity permits Alone, Leading, Following {
   /**
    * Moves what this activity drives by on by one tick.
    *
-   * @return the velocity to command, in the robot's frame
+   * @return what to command the body
    */
-  Twist steer(Tick tick);
+  ChassisCommand steer(Tick tick);
 
   /**
    * Whether the phase is over by the robot's own motion; a follower's phase ends by its leader's

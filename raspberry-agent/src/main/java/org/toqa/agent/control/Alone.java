@@ -2,7 +2,7 @@ package org.toqa.agent.control;
 
 import java.util.Optional;
 import org.jspecify.annotations.Nullable;
-import org.toqa.geometry.Twist;
+import org.toqa.agent.chassis.ChassisCommand;
 import org.toqa.link.message.AgentMessage.Fault;
 import org.toqa.link.message.AgentMessage.Role;
 
@@ -18,8 +18,8 @@ record Alone(Optional<DriveRun> drive) implements Activity {
   }
 
   @Override
-  public Twist steer(Tick tick) {
-    return drive.map(run -> run.steer(tick)).orElse(Twist.ZERO);
+  public ChassisCommand steer(Tick tick) {
+    return drive.map(run -> run.steer(tick)).orElse(ChassisCommand.STANDSTILL);
   }
 
   @Override

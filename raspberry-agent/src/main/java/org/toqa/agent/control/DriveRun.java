@@ -2,13 +2,15 @@ package org.toqa.agent.control;
 
 import java.util.Locale;
 import java.util.Optional;
-import org.toqa.agent.config.MotionLimits;
+import java.util.function.LongSupplier;
+import org.toqa.agent.chassis.ChassisCommand;
+import org.toqa.agent.chassis.ChassisCommand.MoveAt;
 import org.toqa.agent.control.Activity.Tick;
+import org.toqa.agent.drive.MotionLimits;
 import org.toqa.agent.drive.ObstacleAvoider;
 import org.toqa.agent.drive.PaceLimits;
 import org.toqa.agent.drive.ReferenceTrajectory;
 import org.toqa.agent.drive.SegmentRunner;
-import org.toqa.geometry.Twist;
 import org.toqa.link.message.AgentMessage.Fault;
 import org.toqa.link.message.ServerMessage.Drive;
 import org.toqa.link.message.ServerMessage.Extend;
@@ -16,27 +18,35 @@ import org.toqa.link.message.ServerMessage.Extend;
 /**
  * The current drive: its trajectory, whether it ends its phase, and whether it was cancelled. A
  * cancelled drive comes to a standstill on its path and is then dropped.
+ *
+ * <p>The body of a robot alone drives the released segments by itself. The daemon steers it where
+ * it must steer beside the path: round obstacles, back to a path that it has come off, and the last
+ * millimetres to where it stands. It steers leaders all the while.
  */
 final class DriveRun {
 
+  /** Ticks without an obstacle, 0.2 s, after which the body drives by itself again. */
+  private static final int CALM_TICKS = 10;
+
   private final SegmentRunner runner;
+  private final PathRelay relay;
   private final ObstacleAvoider avoider;
   private boolean isFinal;
   private boolean isCancelled;
+  private int calmTicks = CALM_TICKS;
 
   /**
    * @param avoider has seen nothing yet
+   * @param pathNumbers of the paths that the body is given: a higher one at each call
    */
-  DriveRun(Drive order, MotionLimits limits, ObstacleAvoider avoider) {
+  DriveRun(Drive order, MotionLimits limits, ObstacleAvoider avoider, LongSupplier pathNumbers) {
     this.avoider = avoider;
+    PaceLimits alone = PaceLimits.forSingleRobot(limits);
     runner =
         new SegmentRunner(
-            new ReferenceTrajectory(
-                order.start(),
-                order.segments(),
-                order.released(),
-                PaceLimits.forSingleRobot(limits)),
+            new ReferenceTrajectory(order.start(), order.segments(), order.released(), alone),
             avoider);
+    relay = new PathRelay(runner.trajectory(), alone, pathNumbers);
     isFinal = order.last();
   }
 
@@ -60,11 +70,37 @@ final class DriveRun {
   /**
    * Drives on by one tick, beside or up to obstacles.
    *
-   * @return the velocity to command, in the robot's frame
+   * @return what to command the body
    */
-  Twist steer(Tick tick) {
-    avoider.avoidObstacles(trajectory(), tick.seconds(), canMove(tick));
-    return runner.steer(tick.pose(), tick.seconds(), canMove(tick) ? 1 : 0);
+  ChassisCommand steer(Tick tick) {
+    boolean canMove = canMove(tick);
+    relay.update(tick.reading(), tick.pose());
+    avoider.avoidObstacles(trajectory(), tick.seconds(), canMove);
+    calmTicks = avoider.isActive() || runner.isOffPath() ? 0 : calmTicks + 1;
+    if (relay.isActive() && !canGoOn(canMove)) {
+      relay.stop();
+    } else if (!relay.isActive() && canBegin(canMove)) {
+      relay.begin(tick.reading(), tick.pose());
+    }
+    if (relay.isActive()) {
+      runner.watch(tick.pose());
+      return relay.command(canMove);
+    }
+    return new MoveAt(runner.steer(tick.pose(), tick.seconds(), canMove ? 1 : 0));
+  }
+
+  private boolean canBegin(boolean canMove) {
+    return canMove && calmTicks >= CALM_TICKS && hasMore();
+  }
+
+  /** A body that may not move slows down by itself, if it has begun. */
+  private boolean canGoOn(boolean canMove) {
+    boolean isOver = relay.isSettled() && !(canMove && hasMore());
+    return calmTicks > 0 && !isOver && (canMove || relay.isAccepted());
+  }
+
+  private boolean hasMore() {
+    return trajectory().completedCount() < trajectory().releasedCount();
   }
 
   /**
@@ -73,10 +109,10 @@ final class DriveRun {
    * @param limits that hold from now on
    * @param pace as a share of the planned speed, 0 to 1
    */
-  Twist steerAsLeader(Tick tick, PaceLimits limits, double pace) {
+  ChassisCommand steerAsLeader(Tick tick, PaceLimits limits, double pace) {
     avoider.stopForObstacles(trajectory());
     trajectory().setLimits(limits);
-    return runner.steer(tick.pose(), tick.seconds(), canMove(tick) ? pace : 0);
+    return new MoveAt(runner.steer(tick.pose(), tick.seconds(), canMove(tick) ? pace : 0));
   }
 
   private boolean canMove(Tick tick) {

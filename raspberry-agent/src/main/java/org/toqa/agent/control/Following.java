@@ -3,6 +3,8 @@ package org.toqa.agent.control;
 import java.util.Objects;
 import java.util.Optional;
 import org.jspecify.annotations.Nullable;
+import org.toqa.agent.chassis.ChassisCommand;
+import org.toqa.agent.chassis.ChassisCommand.MoveAt;
 import org.toqa.agent.formation.FormationFollower;
 import org.toqa.geometry.Twist;
 import org.toqa.link.message.AgentMessage.Fault;
@@ -28,9 +30,9 @@ record Following(FormationFollower follower) implements Activity {
 
   /** The follower law sees every tick, also those in which the robot may not move. */
   @Override
-  public Twist steer(Tick tick) {
+  public ChassisCommand steer(Tick tick) {
     Twist velocity = follower.steer(tick.pose(), tick.now());
-    return tick.canMove() ? velocity : Twist.ZERO;
+    return tick.canMove() ? new MoveAt(velocity) : ChassisCommand.STANDSTILL;
   }
 
   @Override

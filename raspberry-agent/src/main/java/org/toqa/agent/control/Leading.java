@@ -3,8 +3,8 @@ package org.toqa.agent.control;
 import java.util.Objects;
 import java.util.Optional;
 import org.jspecify.annotations.Nullable;
+import org.toqa.agent.chassis.ChassisCommand;
 import org.toqa.agent.formation.FormationLeader;
-import org.toqa.geometry.Twist;
 import org.toqa.link.message.AgentMessage.Fault;
 import org.toqa.link.message.AgentMessage.Role;
 
@@ -17,10 +17,10 @@ record Leading(FormationLeader leader, Optional<DriveRun> drive) implements Acti
   }
 
   @Override
-  public Twist steer(Tick tick) {
+  public ChassisCommand steer(Tick tick) {
     return drive
         .map(run -> run.steerAsLeader(tick, leader.paceLimits(tick.now()), leader.pace(tick.now())))
-        .orElse(Twist.ZERO);
+        .orElse(ChassisCommand.STANDSTILL);
   }
 
   /** Whether it stops for a follower's sake, and still moves. */

@@ -9,6 +9,8 @@ import java.util.function.Consumer;
 import java.util.function.Function;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
+import org.toqa.agent.chassis.ChassisCommand;
+import org.toqa.agent.chassis.ChassisCommand.MoveAt;
 import org.toqa.agent.chassis.ChassisReading;
 import org.toqa.agent.config.AgentConfig;
 import org.toqa.agent.drive.ObstacleAvoider;
@@ -81,6 +83,7 @@ public final class RobotControl {
   private Activity activity = Alone.IDLE;
   private boolean isServerSilent;
   private double now;
+  private long lastPath;
 
   /**
    * @param encrypted whether the link is
@@ -199,7 +202,8 @@ public final class RobotControl {
 
   private void begin(Drive order) {
     avoider = new ObstacleAvoider(config.footprint() / 2);
-    Optional<DriveRun> drive = Optional.of(new DriveRun(order, config.limits(), avoider));
+    Optional<DriveRun> drive =
+        Optional.of(new DriveRun(order, config.limits(), avoider, () -> ++lastPath));
     activity =
         activity instanceof Leading(var leader, _) ? new Leading(leader, drive) : new Alone(drive);
     log.info(
@@ -246,16 +250,23 @@ public final class RobotControl {
    *
    * @param seconds since the last call
    * @param serverSilent whether nothing came from the server for too long
-   * @return the velocity to command, in the robot's frame
+   * @return what to command the body
    */
-  public Twist drive(double seconds, boolean serverSilent) {
+  public ChassisCommand drive(double seconds, boolean serverSilent) {
     isServerSilent = serverSilent;
     boolean canMove = !record.entry().held() && !hasBodyFault();
-    Twist command = activity.steer(new Activity.Tick(pose(), seconds, now, canMove));
+    ChassisCommand command =
+        activity.steer(new Activity.Tick(record.reading(), pose(), seconds, now, canMove));
     Optional<DriveRun> drive = activity.drive();
     drive.ifPresent(this::updateProgress);
     boolean hasEnded = drive.isPresent() && activity.drive().isEmpty();
-    return hasEnded || hasBodyFault() ? Twist.ZERO : command;
+    return hasEnded || hasBodyFault() ? ChassisCommand.STANDSTILL : withinLimits(command);
+  }
+
+  private ChassisCommand withinLimits(ChassisCommand command) {
+    return command instanceof MoveAt(Twist velocity)
+        ? new MoveAt(config.limits().clampedTwist(velocity))
+        : command;
   }
 
   private boolean hasBodyFault() {

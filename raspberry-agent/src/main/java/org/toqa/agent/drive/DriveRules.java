@@ -4,7 +4,6 @@ import com.google.errorprone.annotations.FormatMethod;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
-import org.toqa.agent.config.MotionLimits;
 import org.toqa.geometry.Angles;
 import org.toqa.geometry.Pose;
 import org.toqa.link.message.ServerMessage.Drive;

@@ -94,6 +94,14 @@ public final class ObstacleAvoider {
     trajectory.stopWithin(passage.freeDistance());
   }
 
+  /** Whether something that is seen decides now where and how fast the robot drives. */
+  public boolean isActive() {
+    return passage.freeDistance() < Double.POSITIVE_INFINITY
+        || !passage.beside().isEmpty()
+        || !sidestep.isOnPath()
+        || !glance.isStraight();
+  }
+
   private List<Vec2> sightedPoints() {
     return blockingSightings.isEmpty()
         ? newSightings

@@ -1,7 +1,5 @@
 package org.toqa.agent.drive;
 
-import org.toqa.agent.config.MotionLimits;
-
 /**
  * How abruptly the velocity of a reference may change.
  *

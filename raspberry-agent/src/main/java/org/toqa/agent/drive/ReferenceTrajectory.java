@@ -82,6 +82,31 @@ public final class ReferenceTrajectory {
   }
 
   /**
+   * Moves the reference to where another one runs along the same segments.
+   *
+   * @param completed how many segments that one has left behind; no fewer than this one, and none
+   *     that is not released
+   * @param seconds of the next one's planned time
+   * @param newPace as a share of the planned speed, 0 to 1
+   */
+  public void setProgress(int completed, double seconds, double newPace) {
+    int reached = Math.min(completed, releasedCount);
+    while (completedCount < reached) {
+      leaveSegment();
+    }
+    boolean hasNext = completedCount < releasedCount;
+    timeInSegment = hasNext ? Math.min(seconds, segments.get(completedCount).t()) : 0;
+    pace = hasNext ? newPace : 0;
+  }
+
+  private void leaveSegment() {
+    Segment done = segments.get(completedCount);
+    segmentStart = segmentStart.advanced(done.twist(), done.t());
+    timeInSegment = 0;
+    completedCount++;
+  }
+
+  /**
    * From now on it stops within so many metres; turns on the spot are none. Where that is too short
    * to slow down, it stops at once.
    */
@@ -133,6 +158,25 @@ public final class ReferenceTrajectory {
     return completedCount;
   }
 
+  /**
+   * A segment.
+   *
+   * @param index from 0
+   */
+  public Segment segment(int index) {
+    return segments.get(index);
+  }
+
+  /** How much of the planned time of the segment that it is on lies behind the reference. */
+  public double secondsInSegment() {
+    return timeInSegment;
+  }
+
+  /** As a share of the planned speed, 0 to 1. */
+  public double pace() {
+    return pace;
+  }
+
   /** Whether the reference is stopped. */
   public boolean isStanding() {
     return pace == 0;
@@ -166,9 +210,7 @@ public final class ReferenceTrajectory {
         && timeInSegment + time >= segments.get(completedCount).t() - COMPLETED_SECONDS) {
       Segment done = segments.get(completedCount);
       time = Math.max(0, timeInSegment + time - done.t());
-      segmentStart = segmentStart.advanced(done.twist(), done.t());
-      timeInSegment = 0;
-      completedCount++;
+      leaveSegment();
     }
     if (completedCount == releasedCount) {
       pace = 0;

@@ -93,6 +93,11 @@ public final class SegmentRunner {
     return isOffPath;
   }
 
+  /** Whether the reference is stopped, and the robot at its place. */
+  public boolean isSettled() {
+    return settled;
+  }
+
   /** Whether the robot is stopped at the end of the last segment. */
   public boolean isAtEnd() {
     return settled && trajectory.completedCount() == trajectory.size();
@@ -108,9 +113,7 @@ public final class SegmentRunner {
    * @return the velocity to command, in the robot's frame
    */
   public Twist steer(Pose actual, double seconds, double pace) {
-    double error = pastReferences.getFirst().distanceTo(actual);
-    deviation = error <= RETURNED_METRES ? error : distanceToPath(actual.position());
-    isOffPath = deviation > (isOffPath ? RETURNED_METRES : Trajectory.MAX_DEVIATION);
+    double error = observe(actual);
     double slack = (WAITING_METRES - error) / (WAITING_METRES - SLOWING_METRES);
     trajectory.advance(seconds, isOffPath ? 0 : Math.min(pace, Math.clamp(slack, 0, 1)));
     leaveTrail(trajectory.pose().position());
@@ -120,6 +123,26 @@ public final class SegmentRunner {
     return settled || isOffPath
         ? Twist.ZERO
         : TRACKING.velocity(followed, avoider.corrected(trajectory.twist()), actual);
+  }
+
+  /**
+   * Watches a body that follows the reference by itself.
+   *
+   * @param actual where the robot is, map frame
+   */
+  public void watch(Pose actual) {
+    observe(actual);
+    leaveTrail(trajectory.pose().position());
+    delayedReference(trajectory.pose());
+    settled = false;
+  }
+
+  /** Returns how far the robot is from where the reference was, in metres. */
+  private double observe(Pose actual) {
+    double error = pastReferences.getFirst().distanceTo(actual);
+    deviation = error <= RETURNED_METRES ? error : distanceToPath(actual.position());
+    isOffPath = deviation > (isOffPath ? RETURNED_METRES : Trajectory.MAX_DEVIATION);
+    return error;
   }
 
   private void leaveTrail(Vec2 point) {

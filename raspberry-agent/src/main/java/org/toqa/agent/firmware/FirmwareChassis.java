@@ -11,10 +11,14 @@ import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 import org.toqa.agent.chassis.Chassis;
+import org.toqa.agent.chassis.ChassisCommand;
+import org.toqa.agent.chassis.ChassisCommand.DrivePath;
+import org.toqa.agent.chassis.ChassisCommand.MoveAt;
 import org.toqa.agent.chassis.ChassisReading;
 import org.toqa.agent.firmware.FirmwareCommand.Caption;
 import org.toqa.agent.firmware.FirmwareCommand.Clear;
 import org.toqa.agent.firmware.FirmwareCommand.Poll;
+import org.toqa.agent.firmware.FirmwareCommand.Settings;
 import org.toqa.agent.firmware.FirmwareCommand.Velocity;
 import org.toqa.agent.firmware.FirmwareStatus.Answer;
 import org.toqa.geometry.Pose;
@@ -25,15 +29,14 @@ import org.toqa.motion.ThreeWheelKinematics;
 import org.toqa.motion.WheelSpeeds;
 
 /**
- * The real body: a microcontroller that is sent a velocity at every tick, and seldom while it is
- * stopped, which spares the processor of the robot. A stop that may be cleared without a person, by
- * power-up or by a link that was silent, is cleared here.
+ * The real body: a microcontroller that is sent a velocity or the segments of a path at every tick,
+ * and seldom while it is stopped, which spares the processor of the robot. A stop that may be
+ * cleared without a person, by power-up or by a link that was silent, is cleared here.
  */
 public final class FirmwareChassis implements Chassis {
 
   private static final Logger log = LoggerFactory.getLogger(FirmwareChassis.class);
 
-  private static final ThreeWheelKinematics WHEELS = ThreeWheelKinematics.DEFAULT;
   private static final double RADIANS_A_COUNT = 2 * Math.PI / Odometry.COUNTS_PER_WHEEL_TURN;
 
   /** Exchanges until a microcontroller that was just switched on answers. */
@@ -61,6 +64,12 @@ public final class FirmwareChassis implements Chassis {
   private static final Fault SILENT =
       new Fault("CHASSIS_SILENT", "The robot's microcontroller does not answer.");
 
+  private static final Fault NO_SETTINGS =
+      new Fault(
+          "CHASSIS_SETTINGS",
+          "The robot's microcontroller does not take the measures of its wheels: its firmware is"
+              + " another version than the daemon.");
+
   private static final Fault BLIND =
       new Fault(
           "RANGE_SENSORS",
@@ -72,6 +81,9 @@ public final class FirmwareChassis implements Chassis {
   private final @Nullable Pose start;
   private final boolean hasRangeSensors;
   private final BatteryGauge battery = new BatteryGauge();
+  private final ThreeWheelKinematics wheels;
+  private final SettingsSender settings;
+  private final PathSender paths = new PathSender();
   private FirmwareStatus status;
   private Twist twist = Twist.ZERO;
   private FirmwareCommand lastCommand = STANDSTILL;
@@ -106,6 +118,7 @@ public final class FirmwareChassis implements Chassis {
    * @param start where the body was when it was switched on for the first time, map frame, if
    *     somebody has put it there
    * @param hasRangeSensors whether it must see to drive; false: what it says of ranges is ignored
+   * @param settings of this robot
    * @param nanos now, nanoseconds on the daemon's monotonic clock
    * @throws IOException if no microcontroller answers
    */
@@ -114,9 +127,12 @@ public final class FirmwareChassis implements Chassis {
       String caption,
       @Nullable Pose start,
       boolean hasRangeSensors,
+      FirmwareSettings settings,
       long nanos)
       throws IOException {
     this.transport = transport;
+    this.wheels = settings.wheels();
+    this.settings = new SettingsSender(settings);
     this.caption = caption;
     this.start = start;
     this.hasRangeSensors = hasRangeSensors;
@@ -137,7 +153,7 @@ public final class FirmwareChassis implements Chassis {
   }
 
   @Override
-  public ChassisReading exchange(Twist wanted, long nanos) {
+  public ChassisReading exchange(ChassisCommand wanted, long nanos) {
     FirmwareCommand command = nextCommand(wanted);
     if (isAtRest(command) && nanos - exchangedNanos < STANDSTILL_INTERVAL_NANOS) {
       return reading();
@@ -168,7 +184,8 @@ public final class FirmwareChassis implements Chassis {
       sequence = pending.sequence();
       return;
     }
-    sequence = (sequence + 1) % FrameCodec.SEQUENCES;
+    int next = (sequence + 1) % FrameCodec.SEQUENCES;
+    sequence = command instanceof Settings ? settings.sequence(next) : next;
     if (command instanceof Clear clear && clear.byPerson()) {
       pendingClear = new PendingClear(clear, sequence, status.powerCycle(), 1);
     }
@@ -192,6 +209,7 @@ public final class FirmwareChassis implements Chassis {
     return command.equals(STANDSTILL)
         && command.equals(lastCommand)
         && unanswered == 0
+        && settings.isTaken(status)
         && reading().isStanding();
   }
 
@@ -205,7 +223,7 @@ public final class FirmwareChassis implements Chassis {
     transport.close();
   }
 
-  private FirmwareCommand nextCommand(Twist wanted) {
+  private FirmwareCommand nextCommand(ChassisCommand wanted) {
     PendingClear pending = pendingClear;
     if (pending != null && pending.sends() < CLEAR_SENDS) {
       return pending.clear();
@@ -225,11 +243,18 @@ public final class FirmwareChassis implements Chassis {
     if (!own.isEmpty()) {
       return new Clear(own, false);
     }
+    Optional<FirmwareCommand> first = settings.next(status);
+    if (first.isPresent()) {
+      return first.get();
+    }
     if (!isCaptionSent) {
       isCaptionSent = true;
       return new Caption(caption);
     }
-    return new Velocity(wanted);
+    return switch (wanted) {
+      case MoveAt(Twist velocity) -> new Velocity(velocity);
+      case DrivePath path -> paths.next(path, status);
+    };
   }
 
   private Set<StopReason> stops(Predicate<StopReason> wanted) {
@@ -250,6 +275,7 @@ public final class FirmwareChassis implements Chassis {
       log.warn("The robot's microcontroller refused a command: {}", now.answer());
     }
     status = now;
+    settings.update(now);
     PendingClear pending = pendingClear;
     if (pending != null
         && (now.sequence() == pending.sequence() || now.powerCycle() != pending.powerCycle())) {
@@ -257,15 +283,15 @@ public final class FirmwareChassis implements Chassis {
     }
   }
 
-  private static Optional<Twist> twistBetween(FirmwareStatus before, FirmwareStatus now) {
+  private Optional<Twist> twistBetween(FirmwareStatus before, FirmwareStatus now) {
     double seconds = (now.stampMillis() - before.stampMillis()) / 1e3;
     if (seconds <= 0) {
       return Optional.empty();
     }
     return Optional.of(
-        WHEELS.twist(
+        wheels.twist(
             WheelSpeeds.of(
-                WHEELS.wheelCount(),
+                wheels.wheelCount(),
                 wheel -> {
                   // as counters wrap around
                   int moved = now.counts().get(wheel) - before.counts().get(wheel);
@@ -281,7 +307,8 @@ public final class FirmwareChassis implements Chassis {
         unanswered == 0 ? twist : Twist.ZERO,
         status.stopReasons().contains(StopReason.BATTERY) ? 0 : battery.charge(), // it says so
         hasRangeSensors ? status.ranges() : List.of(),
-        faults());
+        faults(),
+        paths.progress(status));
   }
 
   private List<Fault> faults() {
@@ -291,10 +318,23 @@ public final class FirmwareChassis implements Chassis {
     } else if (quality.isPoor()) {
       faults.add(POOR_LINK);
     }
+    if (settings.isRefused()) {
+      faults.add(NO_SETTINGS);
+    }
     if (hasRangeSensors && status.ranges().isEmpty()) {
       faults.add(BLIND);
     }
-    status.stopReasons().stream().sorted().map(StopReason::fault).forEach(faults::add);
+    status.stopReasons().stream().sorted().map(this::fault).forEach(faults::add);
     return faults;
+  }
+
+  private Fault fault(StopReason reason) {
+    Fault fault = reason.fault();
+    return reason == StopReason.HEAT
+        ? new Fault(
+            fault.code(),
+            "%s It has %d degrees Celsius.".formatted(fault.text(), status.temperature()),
+            fault.clearable())
+        : fault;
   }
 }

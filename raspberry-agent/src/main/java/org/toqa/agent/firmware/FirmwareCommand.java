@@ -1,7 +1,10 @@
 package org.toqa.agent.firmware;
 
+import java.util.List;
 import java.util.Set;
+import org.toqa.geometry.Pose;
 import org.toqa.geometry.Twist;
+import org.toqa.motion.Segment;
 
 /** What the microcontroller can be commanded; {@code docs/spi-frame.md} says what each does. */
 public sealed interface FirmwareCommand {
@@ -17,16 +20,48 @@ public sealed interface FirmwareCommand {
   record Velocity(Twist twist) implements FirmwareCommand {}
 
   /**
-   * Drive this at the end of the queue.
+   * Drive another path.
    *
-   * @param v metres a second, forward
-   * @param w radians a second, counter-clockwise
-   * @param t seconds, positive
+   * @param number of the path, 1 to 65535, another one than that of the path before
+   * @param start of its first segment, in the frame of the odometry
+   * @param pace with which it begins, 0 to 1
+   * @param acceleration metres a second squared
+   * @param turnAcceleration radians a second squared
+   * @param onward false: slow down on the path, and stand there
+   * @param segments its first ones, at most {@value #MOST_SEGMENTS}
    */
-  record CurveSegment(double v, double w, double t) implements FirmwareCommand {}
+  record Path(
+      int number,
+      Pose start,
+      double pace,
+      double acceleration,
+      double turnAcceleration,
+      boolean onward,
+      List<Segment> segments)
+      implements FirmwareCommand {
+    static final int MOST_SEGMENTS = 3;
 
-  /** Slow down, stop, and drop the queue. */
-  record Halt() implements FirmwareCommand {}
+    public Path {
+      segments = List.copyOf(segments);
+    }
+  }
+
+  /**
+   * Drive these too, on the path that you drive.
+   *
+   * @param path its number
+   * @param first which of the path's segments the first of these is, modulo 65536
+   * @param onward as above
+   * @param segments at most {@value #MOST_SEGMENTS}
+   */
+  record Segments(int path, int first, boolean onward, List<Segment> segments)
+      implements FirmwareCommand {
+    static final int MOST_SEGMENTS = 4;
+
+    public Segments {
+      segments = List.copyOf(segments);
+    }
+  }
 
   /**
    * What stopped the robot is over.
@@ -45,4 +80,7 @@ public sealed interface FirmwareCommand {
    * @param text cut or filled to 20 characters; what is not ASCII becomes a question mark
    */
   record Caption(String text) implements FirmwareCommand {}
+
+  /** What differs from robot to robot. */
+  record Settings(FirmwareSettings settings) implements FirmwareCommand {}
 }

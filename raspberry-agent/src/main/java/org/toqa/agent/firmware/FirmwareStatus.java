@@ -15,8 +15,13 @@ import org.toqa.geometry.Pose;
  * @param ranges metres, from right to left; empty while a sensor is silent or tells no distance
  * @param batteryVolts volts of the whole battery
  * @param missingFloor floor sensors that see no floor, one bit each
+ * @param pressedSwitches switches 2 to 4, one bit each; the first one stops the robot
+ * @param temperature of the motor drivers, degrees Celsius
  * @param freeSegments how many more segments its queue has room for
- * @param segmentsDriven how many since the start; wraps around after 65,536
+ * @param segmentsDriven how many of the path; wraps around after 65,536
+ * @param coveredSeconds of the next one's planned time
+ * @param pace as a share of the planned speed, 0 to 1
+ * @param path the number of the path that it drives, or drove last; 0 where there was none
  * @param badFrames how many it has received
  * @param lostBytes how many it had no room for
  */
@@ -32,8 +37,13 @@ public record FirmwareStatus(
     List<Double> ranges,
     double batteryVolts,
     int missingFloor,
+    int pressedSwitches,
+    int temperature,
     int freeSegments,
     int segmentsDriven,
+    double coveredSeconds,
+    double pace,
+    int path,
     int badFrames,
     int lostBytes) {
 
@@ -45,14 +55,23 @@ public record FirmwareStatus(
     STOPPED,
     OUT_OF_RANGE,
     UNKNOWN_KIND,
-    NOT_CLEARED
+    NOT_CLEARED,
+    NOT_ON_PATH,
+    DRIVES
   }
 
-  /** In the order of the codes. */
+  /** In the order of the codes; those of a path are while it drives one by itself. */
   public enum State {
     STOPPED,
     STANDING,
-    DRIVING
+    DRIVING,
+    PATH_STANDING,
+    PATH_DRIVING
+  }
+
+  /** Whether it drives by itself, or stands at the end of what it has to drive. */
+  public boolean isOnPath() {
+    return state == State.PATH_STANDING || state == State.PATH_DRIVING;
   }
 
   public FirmwareStatus {

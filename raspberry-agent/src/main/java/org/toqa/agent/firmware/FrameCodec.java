@@ -8,14 +8,16 @@ import java.util.Optional;
 import java.util.stream.Stream;
 import org.toqa.agent.firmware.FirmwareCommand.Caption;
 import org.toqa.agent.firmware.FirmwareCommand.Clear;
-import org.toqa.agent.firmware.FirmwareCommand.CurveSegment;
-import org.toqa.agent.firmware.FirmwareCommand.Halt;
+import org.toqa.agent.firmware.FirmwareCommand.Path;
 import org.toqa.agent.firmware.FirmwareCommand.Poll;
+import org.toqa.agent.firmware.FirmwareCommand.Segments;
+import org.toqa.agent.firmware.FirmwareCommand.Settings;
 import org.toqa.agent.firmware.FirmwareCommand.Velocity;
 import org.toqa.agent.firmware.FirmwareStatus.Answer;
 import org.toqa.agent.firmware.FirmwareStatus.State;
 import org.toqa.avoidance.RangeSensors;
 import org.toqa.geometry.Pose;
+import org.toqa.motion.Segment;
 
 /** Commands to frames, and frames to statuses, as {@code docs/spi-frame.md} has them. */
 public final class FrameCodec {
@@ -33,13 +35,21 @@ public final class FrameCodec {
   /** What a range sensor that sees nothing tells; more than this is no distance. */
   private static final int FARTHEST_MILLIMETRES = (int) Math.round(1_000 * RangeSensors.FARTHEST);
 
+  private static final int FLOOR_BITS = (1 << FirmwareSettings.FLOOR_SENSORS) - 1;
   private static final int CAPTION_LENGTH = 20;
 
   /** What the microcontroller takes at most. */
   static final double MAX_SPEED = 1;
 
   static final double MAX_TURN_RATE = 10;
-  static final double MAX_SEGMENT_SECONDS = 600;
+  static final double MAX_SEGMENT_SECONDS = 3_600;
+
+  /** Metres or radians a second squared. */
+  static final double MIN_ACCELERATION = 0.01;
+
+  private static final double MAX_ACCELERATION = 50;
+  private static final double PACE_UNITS = 1 << 15;
+  private static final double STATUS_PACE_UNITS = 255;
 
   private FrameCodec() {}
 
@@ -50,20 +60,21 @@ public final class FrameCodec {
     ByteBuffer frame = ByteBuffer.allocate(LENGTH).order(ByteOrder.LITTLE_ENDIAN);
     frame.putShort(SYNC).put(kind(command)).put((byte) sequence);
     switch (command) {
-      case Poll _, Halt _ -> {}
+      case Poll _ -> {}
       case Velocity(var twist) ->
           frame
               .putInt(millionths(twist.vx(), MAX_SPEED))
               .putInt(millionths(twist.vy(), MAX_SPEED))
               .putInt(millionths(twist.w(), MAX_TURN_RATE));
-      case CurveSegment(double v, double w, double t) ->
-          frame
-              .putInt(millionths(v, MAX_SPEED))
-              .putInt(millionths(w, MAX_TURN_RATE))
-              .putInt((int) Math.round(Math.clamp(t, 0.001, MAX_SEGMENT_SECONDS) * 1_000));
+      case Path path -> putPath(frame, path);
+      case Segments(int path, int first, boolean onward, var segments) -> {
+        frame.putShort((short) path).putShort((short) first);
+        putSegments(frame, onward, segments);
+      }
       case Clear(var reasons, boolean byPerson) ->
           frame.putShort((short) StopReason.bits(reasons)).put((byte) (byPerson ? 1 : 0));
       case Caption(String text) -> frame.put(caption(text));
+      case Settings(FirmwareSettings settings) -> putSettings(frame, settings);
     }
     return frame.putShort(CRC_OFFSET, (short) Crc16.of(frame.array(), CRC_OFFSET)).array();
   }
@@ -103,21 +114,61 @@ public final class FrameCodec {
             new Pose(frame.getInt(26) / 1e6, frame.getInt(30) / 1e6, frame.getInt(34) / 1e6),
             ranges(frame),
             Short.toUnsignedInt(frame.getShort(44)) / 1e3,
-            Byte.toUnsignedInt(frame.get(46)),
+            Byte.toUnsignedInt(frame.get(46)) & FLOOR_BITS,
+            Byte.toUnsignedInt(frame.get(46)) >> FirmwareSettings.FLOOR_SENSORS,
+            frame.get(57),
             Byte.toUnsignedInt(frame.get(47)),
             Short.toUnsignedInt(frame.getShort(48)),
+            Integer.toUnsignedLong(frame.getInt(58)) / 1e6,
+            Byte.toUnsignedInt(frame.get(56)) / STATUS_PACE_UNITS,
+            Short.toUnsignedInt(frame.getShort(54)),
             Short.toUnsignedInt(frame.getShort(50)),
             Short.toUnsignedInt(frame.getShort(52))));
+  }
+
+  private static void putPath(ByteBuffer frame, Path path) {
+    Pose start = path.start();
+    frame
+        .putShort((short) path.number())
+        .putInt((int) Math.round(start.x() * 1e6))
+        .putInt((int) Math.round(start.y() * 1e6))
+        .putInt((int) Math.round(start.theta() * 1e6))
+        .putShort((short) Math.round(Math.clamp(path.pace(), 0, 1) * PACE_UNITS))
+        .putShort(thousandths(path.acceleration()))
+        .putShort(thousandths(path.turnAcceleration()));
+    putSegments(frame, path.onward(), path.segments());
+  }
+
+  private static void putSegments(ByteBuffer frame, boolean onward, List<Segment> segments) {
+    frame.put((byte) (onward ? 1 : 0)).put((byte) segments.size());
+    for (Segment segment : segments) {
+      frame
+          .putInt(millionths(segment.v(), MAX_SPEED))
+          .putInt(millionths(segment.w(), MAX_TURN_RATE))
+          .putInt((int) Math.round(Math.clamp(segment.t(), 0, MAX_SEGMENT_SECONDS) * 1e6));
+    }
+  }
+
+  private static void putSettings(ByteBuffer frame, FirmwareSettings settings) {
+    frame
+        .putInt((int) Math.round(settings.wheels().wheelRadius() * 1e6))
+        .putInt((int) Math.round(settings.wheels().centreToWheel() * 1e6));
+    settings.floorVolts().forEach(volts -> frame.putShort((short) Math.round(volts * 1e3)));
+  }
+
+  private static short thousandths(double acceleration) {
+    return (short) Math.round(Math.clamp(acceleration, MIN_ACCELERATION, MAX_ACCELERATION) * 1e3);
   }
 
   private static byte kind(FirmwareCommand command) {
     return switch (command) {
       case Poll _ -> 0;
       case Velocity _ -> 1;
-      case CurveSegment _ -> 2;
-      case Halt _ -> 3;
+      case Path _ -> 2;
+      case Segments _ -> 3;
       case Clear _ -> 4;
       case Caption _ -> 5;
+      case Settings _ -> 6;
     };
   }
 

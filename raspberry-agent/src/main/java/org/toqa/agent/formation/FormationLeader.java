@@ -1,7 +1,7 @@
 package org.toqa.agent.formation;
 
 import java.util.Optional;
-import org.toqa.agent.config.MotionLimits;
+import org.toqa.agent.drive.MotionLimits;
 import org.toqa.agent.drive.PaceLimits;
 import org.toqa.formation.FormationMonitor;
 import org.toqa.formation.Verdict;

@@ -15,6 +15,8 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.toqa.agent.EndedCommand;
 import org.toqa.agent.chassis.SimulatedBattery;
+import org.toqa.agent.drive.MotionLimits;
+import org.toqa.agent.firmware.FirmwareSettings;
 import org.toqa.geometry.Pose;
 
 class AgentConfigTest {
@@ -51,7 +53,9 @@ class AgentConfigTest {
     AgentConfig config = AgentConfig.read(file("{name: r1, dataDir: d, chassis: {type: spi}}"));
 
     assertEquals(
-        new ChassisConfig.Spi(Path.of("/dev/spidev0.0"), 1_000_000, 16, true), config.chassis());
+        new ChassisConfig.Spi(
+            Path.of("/dev/spidev0.0"), 1_000_000, 16, true, FirmwareSettings.DEFAULT),
+        config.chassis());
   }
 
   @Test
@@ -59,7 +63,8 @@ class AgentConfigTest {
     AgentConfig config = AgentConfig.read(file("{name: r1, dataDir: d, chassis: {type: serial}}"));
 
     assertEquals(
-        new ChassisConfig.Serial(Path.of("/dev/serial0"), 115_200, true), config.chassis());
+        new ChassisConfig.Serial(Path.of("/dev/serial0"), 115_200, true, FirmwareSettings.DEFAULT),
+        config.chassis());
   }
 
   @Test
@@ -88,6 +93,10 @@ class AgentConfigTest {
           {name: r1, dataDir: d, chassis: {type: wheels}} | "chassis.type" is wheels; it must be simulated, simulated-firmware, spi or serial.
           {name: r1, dataDir: d, chassis: {type: spi, clock: 4000000}} | "chassis.clock" is 4000000; it must be a whole number from 100000 to 2000000.
           {name: r1, dataDir: d, chassis: {type: spi, wordDelay: 8}} | "chassis.wordDelay" is 8; it must be a whole number from 12 to 100.
+          {name: r1, dataDir: d, chassis: {type: spi, wheelRadius: 0.1}} | "chassis.wheelRadius" is 0.1; it must be a number from 0.01 to 0.065.
+          {name: r1, dataDir: d, chassis: {type: spi, centreToWheel: 1}} | "chassis.centreToWheel" is 1; it must be a number from 0.03 to 0.5.
+          {name: r1, dataDir: d, chassis: {type: spi, floorThresholds: [1, 1, 1, 1]}} | "chassis.floorThresholds" is [1, 1, 1, 1]; it must be a list of 5 numbers from 0.1 to 4.9.
+          {name: r1, dataDir: d, chassis: {type: serial, floorThresholds: [1, 1, 5, 1, 1]}} | "chassis.floorThresholds" is [1, 1, 5, 1, 1]; it must be a list of 5 numbers from 0.1 to 4.9.
           {name: r1, dataDir: d, chassis: {type: serial, baud: 9600}} | "chassis.baud" is 9600; it must be a whole number from 115200 to 1000000.
           {name: r1, dataDir: d, chassis: {type: simulated-firmware}} | the key "chassis.socket" is missing.
           {name: r1, dataDir: d, following: {law: fly}} | "following.law" is fly; it must be omni or non-holonomic.
@@ -99,6 +108,7 @@ class AgentConfigTest {
           {name: r1, dataDir: d, port: 70000} | "port" is 70000; it must be a whole number from 0 to 65535.
           {name: r1, dataDir: d, port: 1.5}   | "port" is 1.5; it must be a whole number from 0 to 65535.
           {name: r1, dataDir: d, maxSpeed: 9} | "maxSpeed" is 9; it must be a number from 0.01 to 5.
+          {name: r1, dataDir: d, maxSpeed: 2, chassis: {type: spi}} | "maxSpeed" is 2; it must be a number from 0.01 to 1.
           {name: r1, dataDir: d, maxSpeed: .nan} | "maxSpeed" is NaN; it must be a number from 0.01 to 5.
           {name: r1, dataDir: d, maxSpeed: fast} | "maxSpeed" is fast; it must be a number from 0.01 to 5.
           {name: r1, dataDir: d, plainTcpOffLoopback: maybe} | "plainTcpOffLoopback" is maybe; it must be true or false.

@@ -12,7 +12,6 @@ import net.jqwik.api.Property;
 import net.jqwik.api.Provide;
 import net.jqwik.api.constraints.IntRange;
 import net.jqwik.api.constraints.Size;
-import org.toqa.agent.config.MotionLimits;
 import org.toqa.geometry.Pose;
 import org.toqa.motion.Segment;
 import org.toqa.motion.Trajectory;

@@ -7,10 +7,10 @@ import org.toqa.sim.SimulatedMicrocontroller.Board;
 
 /** The hex files, each on the board that it is for. */
 public enum FirmwareBuild {
-  LM629_AT_16_MHZ("toqa.hex", "lm629", 16_000_000, 5_000),
-  PWM_AT_16_MHZ("toqa-pwm.hex", "pwm", 16_000_000, 5_000),
-  LM629_AT_8_MHZ("8mhz/toqa.hex", "lm629", 8_000_000, 8_000),
-  PWM_AT_8_MHZ("8mhz/toqa-pwm.hex", "pwm", 8_000_000, 8_000);
+  LM629_AT_16_MHZ("toqa.hex", "lm629", 16_000_000, 5_700),
+  PWM_AT_16_MHZ("toqa-pwm.hex", "pwm", 16_000_000, 5_700),
+  LM629_AT_8_MHZ("8mhz/toqa.hex", "lm629", 8_000_000, 9_700),
+  PWM_AT_8_MHZ("8mhz/toqa-pwm.hex", "pwm", 8_000_000, 9_700);
 
   private final String hex;
   private final String drive;

@@ -27,6 +27,7 @@ import org.toqa.link.message.AgentMessage.Fault;
 class FirmwareChassisTest {
   private static final int TICK = 20_000_000;
   private static final int SEQUENCE = 7;
+  private static final int SETTINGS = 6;
   private static final int SECOND = 50;
   private static final Twist FORWARD = new Twist(0.25, 0, 0);
 
@@ -37,9 +38,9 @@ class FirmwareChassisTest {
 
   @BeforeEach
   void findMicrocontroller() throws IOException {
-    answer = GoldenFrame.of("status").get(1);
-    chassis = new FirmwareChassis(transport(), "r1", null, true, 0);
-    tick(Twist.ZERO, 10);
+    answer = sealed(GoldenFrame.of("status").get(1), 5, (byte) 1); // at rest
+    chassis = new FirmwareChassis(transport(), "r1", null, true, FirmwareSettings.DEFAULT, 0);
+    tick(Twist.ZERO, 11);
     sent.clear();
   }
 
@@ -47,6 +48,9 @@ class FirmwareChassisTest {
     return new FrameTransport() {
       @Override
       public byte[] exchange(byte[] frame, long now) {
+        if (frame[2] == SETTINGS && answer.length > 0) {
+          answer = sealed(answer, 3, frame[3]); // it has them
+        }
         sent.add(frame);
         return answer;
       }
@@ -126,7 +130,8 @@ class FirmwareChassisTest {
   @Test
   void bodyWithoutRangeSensorsDrivesWithoutThem() throws IOException {
     answer = withRange(2, 65_535);
-    try (FirmwareChassis without = new FirmwareChassis(transport(), "r1", null, false, 0)) {
+    try (FirmwareChassis without =
+        new FirmwareChassis(transport(), "r1", null, false, FirmwareSettings.DEFAULT, 0)) {
       ChassisReading reading = without.exchange(FORWARD, TICK);
       assertEquals(List.of(), reading.ranges());
       assertEquals(List.of(), reading.faults());

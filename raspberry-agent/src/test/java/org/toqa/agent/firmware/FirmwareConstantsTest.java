@@ -10,10 +10,13 @@ import java.util.regex.MatchResult;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.junit.jupiter.api.Test;
-import org.toqa.agent.config.MotionLimits;
+import org.toqa.agent.chassis.Chassis;
+import org.toqa.agent.config.ChassisConfig;
+import org.toqa.agent.drive.MotionLimits;
 import org.toqa.agent.drive.PaceLimits;
 import org.toqa.motion.Odometry;
 import org.toqa.motion.ThreeWheelKinematics;
+import org.toqa.motion.Trajectory;
 import org.toqa.motion.WheelLimits;
 
 /** Numbers that are in the firmware's sources and in the daemon's. */
@@ -25,10 +28,27 @@ class FirmwareConstantsTest {
   @Test
   void bodyIsTheSame() throws IOException {
     ThreeWheelKinematics wheels = ThreeWheelKinematics.DEFAULT;
-    assertEquals(wheels.wheelRadius(), constant("body.h", "BODY_WHEEL_RADIUS_UM") / 1e6);
-    assertEquals(wheels.centreToWheel(), constant("body.h", "BODY_CENTRE_TO_WHEEL_UM") / 1e6);
+    assertEquals(wheels.wheelRadius(), constant("settings.h", "SETTINGS_WHEEL_RADIUS_UM") / 1e6);
+    assertEquals(
+        wheels.centreToWheel(), constant("settings.h", "SETTINGS_CENTRE_TO_WHEEL_UM") / 1e6);
     assertEquals(wheels.wheelCount(), constant("body.h", "BODY_WHEELS"));
     assertEquals(Odometry.COUNTS_PER_WHEEL_TURN, constant("body.h", "BODY_COUNTS_PER_TURN"));
+  }
+
+  @Test
+  void settingsHaveTheSameBounds() throws IOException {
+    assertSetting(FirmwareSettings.LEAST_WHEEL_RADIUS, "LEAST_WHEEL_RADIUS_UM", 1e6);
+    assertSetting(FirmwareSettings.MOST_WHEEL_RADIUS, "MOST_WHEEL_RADIUS_UM", 1e6);
+    assertSetting(FirmwareSettings.LEAST_CENTRE_TO_WHEEL, "LEAST_CENTRE_TO_WHEEL_UM", 1e6);
+    assertSetting(FirmwareSettings.MOST_CENTRE_TO_WHEEL, "MOST_CENTRE_TO_WHEEL_UM", 1e6);
+    assertSetting(FirmwareSettings.LEAST_FLOOR_VOLTS, "LEAST_FLOOR_MV", 1e3);
+    assertSetting(FirmwareSettings.MOST_FLOOR_VOLTS, "MOST_FLOOR_MV", 1e3);
+    assertSetting(FirmwareSettings.FLOOR_VOLTS, "FLOOR_MV", 1e3);
+    assertEquals(FirmwareSettings.FLOOR_SENSORS, constant("body.h", "BODY_FLOOR_SENSORS"));
+  }
+
+  private static void assertSetting(double expected, String name, double units) throws IOException {
+    assertEquals(expected, constant("settings.h", "SETTINGS_" + name) / units, 1e-9);
   }
 
   @Test
@@ -51,9 +71,13 @@ class FirmwareConstantsTest {
 
   @Test
   void framesCarryTheSameRange() throws IOException {
+    ChassisConfig body =
+        new ChassisConfig.Spi(Path.of("/dev/null"), 0, 0, true, FirmwareSettings.DEFAULT);
+    assertEquals(FrameCodec.MAX_SPEED, body.mostSpeed());
+    assertEquals(FrameCodec.MAX_TURN_RATE, body.mostTurnRate());
     assertEquals(FrameCodec.MAX_SPEED, constant("twist.h", "TWIST_SPEED_LIMIT_UM_S") / 1e6);
     assertEquals(FrameCodec.MAX_TURN_RATE, constant("twist.h", "TWIST_TURN_LIMIT_URAD_S") / 1e6);
-    assertEquals(FrameCodec.MAX_SEGMENT_SECONDS, constant("segment.h", "SEGMENT_LONGEST_MS") / 1e3);
+    assertEquals(FrameCodec.MAX_SEGMENT_SECONDS, constant("segment.h", "SEGMENT_LONGEST_US") / 1e6);
   }
 
   @Test
@@ -61,13 +85,14 @@ class FirmwareConstantsTest {
     assertEquals(BatteryGauge.EMPTY_VOLTS, constant("battery.h", "BATTERY_LOW_MV") / 1e3);
   }
 
-  /** Between two segments the daemon's own reference may jump more than the firmware's. */
   @Test
-  void firmwareJumpsNoMoreThanTheDaemon() throws IOException {
+  void pathIsDrivenAlike() throws IOException {
     PaceLimits daemon = PaceLimits.forSingleRobot(new MotionLimits(0.5, 3.5, 0.5, 3));
-    assertEquals(0.10, constant("segment.c", "SPEED_JUMP_UM_S") / 1e6);
-    assertEquals(0.15, daemon.speedJump());
+    assertEquals(daemon.speedJump(), constant("segment.c", "SPEED_JUMP_UM_S") / 1e6);
     assertEquals(daemon.turnRateJump(), constant("segment.c", "TURN_JUMP_URAD_S") / 1e6);
+    assertEquals(Chassis.QUEUE_LENGTH, constant("segment.h", "SEGMENT_QUEUE_LENGTH"));
+    assertEquals(FrameCodec.MIN_ACCELERATION, constant("segment.h", "SEGMENT_LEAST_RATE") / 1e3);
+    assertEquals(Trajectory.MAX_DEVIATION, constant("segment_runner.c", "WAITING_UM") / 1e6, 1e-9);
   }
 
   /** The value of {@code #define NAME value}, or of {@code NAME = value}; products are computed. */

@@ -6,17 +6,22 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
 import java.util.List;
+import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.toqa.agent.firmware.FirmwareCommand.Caption;
 import org.toqa.agent.firmware.FirmwareCommand.Clear;
-import org.toqa.agent.firmware.FirmwareCommand.CurveSegment;
-import org.toqa.agent.firmware.FirmwareCommand.Halt;
+import org.toqa.agent.firmware.FirmwareCommand.Path;
 import org.toqa.agent.firmware.FirmwareCommand.Poll;
+import org.toqa.agent.firmware.FirmwareCommand.Segments;
+import org.toqa.agent.firmware.FirmwareCommand.Settings;
 import org.toqa.agent.firmware.FirmwareCommand.Velocity;
+import org.toqa.geometry.Pose;
 import org.toqa.geometry.Twist;
+import org.toqa.motion.Segment;
+import org.toqa.motion.ThreeWheelKinematics;
 
 /** The golden frames, which the firmware's own tests read too. */
 class FrameCodecTest {
@@ -45,20 +50,52 @@ class FrameCodecTest {
                       golden.millionths("vx_um_s"),
                       golden.millionths("vy_um_s"),
                       golden.millionths("w_urad_s")));
-          case "segment" ->
-              new CurveSegment(
-                  golden.millionths("v_um_s"),
-                  golden.millionths("w_urad_s"),
-                  golden.number("duration_ms") / 1e3);
-          case "halt" -> new Halt();
+          case "path" ->
+              new Path(
+                  (int) golden.number("number"),
+                  new Pose(
+                      golden.millionths("x_um"),
+                      golden.millionths("y_um"),
+                      golden.millionths("heading_urad")),
+                  golden.number("pace_q15") / 32_768.0,
+                  golden.number("acceleration_mm_s2") / 1e3,
+                  golden.number("turn_acceleration_mrad_s2") / 1e3,
+                  golden.number("onward") == 1,
+                  segments(golden));
+          case "segments" ->
+              new Segments(
+                  (int) golden.number("path"),
+                  (int) golden.number("first"),
+                  golden.number("onward") == 1,
+                  segments(golden));
           case "clear" ->
               new Clear(
                   StopReason.ofBits((int) golden.number("reasons")), golden.number("by") == 1);
+          case "settings" ->
+              new Settings(
+                  new FirmwareSettings(
+                      new ThreeWheelKinematics(
+                          golden.millionths("wheel_radius_um"),
+                          golden.millionths("centre_to_wheel_um")),
+                      IntStream.rangeClosed(1, FirmwareSettings.FLOOR_SENSORS)
+                          .mapToObj(i -> golden.number("floor" + i + "_mv") / 1e3)
+                          .toList()));
           case "caption" -> new Caption(golden.text("text"));
           default -> throw new IllegalArgumentException("What is a " + golden.kind() + "?");
         };
 
     assertArrayEquals(golden.frame(), FrameCodec.encode(command, (int) golden.number("sequence")));
+  }
+
+  private static List<Segment> segments(GoldenFrame golden) {
+    return IntStream.rangeClosed(1, (int) golden.number("count"))
+        .mapToObj(
+            i ->
+                new Segment(
+                    golden.millionths("v" + i + "_um_s"),
+                    golden.millionths("w" + i + "_urad_s"),
+                    golden.millionths("t" + i + "_us")))
+        .toList();
   }
 
   @ParameterizedTest
@@ -80,8 +117,13 @@ class FrameCodecTest {
     assertEquals(0, Math.sin(golden.millionths("heading_urad") - status.odometry().theta()), 1e-9);
     assertEquals(golden.number("battery_mv") / 1e3, status.batteryVolts(), 1e-9);
     assertEquals(golden.number("floor"), status.missingFloor());
+    assertEquals(golden.number("switches"), status.pressedSwitches());
+    assertEquals(golden.number("temperature"), status.temperature());
     assertEquals(golden.number("queue_free"), status.freeSegments());
     assertEquals(golden.number("segments"), status.segmentsDriven());
+    assertEquals(golden.number("covered_us") / 1e6, status.coveredSeconds(), 1e-9);
+    assertEquals(golden.number("pace") / 255.0, status.pace(), 1e-9);
+    assertEquals(golden.number("path"), status.path());
     assertEquals(golden.number("bad"), status.badFrames());
     assertEquals(golden.number("lost"), status.lostBytes());
   }

@@ -1,6 +1,8 @@
 package org.toqa.agent.firmware;
 
 import java.io.IOException;
+import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.HexFormat;
@@ -13,6 +15,7 @@ import java.util.stream.Stream;
 /** A line of the golden frames, which the firmware's own tests read too: what it says, and it. */
 record GoldenFrame(String kind, Map<String, String> values, byte[] frame) {
 
+  private static final int SETTINGS = 6;
   private static final Path FILE = Path.of("firmware/test/golden-frames.txt");
 
   static Stream<GoldenFrame> all() throws IOException {
@@ -24,6 +27,29 @@ record GoldenFrame(String kind, Map<String, String> values, byte[] frame) {
   /** The frames of one kind, in the order of the file. */
   static List<byte[]> of(String kind) throws IOException {
     return all().filter(golden -> golden.kind().equals(kind)).map(GoldenFrame::frame).toList();
+  }
+
+  /**
+   * What a microcontroller that reports this status answers: it takes the settings, and it is at
+   * rest.
+   */
+  static byte[] answer(byte[] status, byte[] command) {
+    byte[] answer = status.clone();
+    if (command[2] == SETTINGS && answer.length == FrameCodec.LENGTH) {
+      answer[3] = command[3];
+      answer[4] = 1; // done
+    }
+    return answer.length == FrameCodec.LENGTH ? atRest(answer) : answer;
+  }
+
+  /** The same status of a body at rest. */
+  static byte[] atRest(byte[] status) {
+    byte[] changed = status.clone();
+    changed[5] = (byte) Math.min(changed[5], 1);
+    ByteBuffer.wrap(changed)
+        .order(ByteOrder.LITTLE_ENDIAN)
+        .putShort(62, (short) Crc16.of(changed, 62));
+    return changed;
   }
 
   private static GoldenFrame parse(String line) {

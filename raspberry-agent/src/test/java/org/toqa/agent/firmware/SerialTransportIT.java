@@ -105,13 +105,16 @@ class SerialTransportIT {
   @Test
   void pulledCableIsAFaultUntilItIsPluggedInAgain() throws Exception {
     Chassis chassis;
-    try (SerialCable _ = SerialCable.plugIn(device, frame -> status)) {
-      chassis = new FirmwareChassis(new SerialTransport(device, BAUD), "r1", null, true, nanos);
+    try (SerialCable _ = SerialCable.plugIn(device, frame -> GoldenFrame.answer(status, frame))) {
+      chassis =
+          new FirmwareChassis(
+              new SerialTransport(device, BAUD), "r1", null, true, FirmwareSettings.DEFAULT, nanos);
       assertEquals(List.of(), codes(live(chassis, 2)));
     }
     try (chassis) {
       assertEquals(List.of("CHASSIS_SILENT"), codes(live(chassis, 10)));
-      try (SerialCable cable = SerialCable.plugIn(device, frame -> status)) {
+      try (SerialCable cable =
+          SerialCable.plugIn(device, frame -> GoldenFrame.answer(status, frame))) {
         ChassisReading reading = live(chassis, 50); // a second: it looks for the port twice
         for (int i = 0; i < MOST_EXCHANGES && !codes(reading).isEmpty(); i++) {
           reading = live(chassis, 1);

@@ -366,7 +366,12 @@ class SimulatedFirmwareIT {
 
   private Chassis chassis() throws IOException {
     return new FirmwareChassis(
-        new SimulatorTransport(microcontroller.socket()), "r1 127.0.0.1", START, true, nanos);
+        new SimulatorTransport(microcontroller.socket()),
+        "r1 127.0.0.1",
+        START,
+        true,
+        FirmwareSettings.DEFAULT,
+        nanos);
   }
 
   private ChassisReading run(Chassis chassis, Twist wanted, int ticks) {

@@ -1,4 +1,4 @@
-package org.toqa.agent.config;
+package org.toqa.agent.drive;
 
 import org.toqa.geometry.Twist;
 

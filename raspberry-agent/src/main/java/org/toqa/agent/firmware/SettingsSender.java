@@ -1,0 +1,75 @@
+package org.toqa.agent.firmware;
+
+import java.util.Optional;
+import org.toqa.agent.firmware.FirmwareCommand.Settings;
+import org.toqa.agent.firmware.FirmwareCommand.Velocity;
+import org.toqa.agent.firmware.FirmwareStatus.Answer;
+import org.toqa.agent.firmware.FirmwareStatus.State;
+import org.toqa.geometry.Twist;
+
+/**
+ * Brings the settings to the microcontroller, again after each of its starts. Nothing else is
+ * driven before it has answered that it has them: by other wheels it would drive elsewhere.
+ */
+final class SettingsSender {
+
+  /** A second; by then a microcontroller that takes them has said so. */
+  private static final int MOST_SENDS = 50;
+
+  private final FirmwareSettings settings;
+  private int takenCycle = -1;
+  private int askedCycle = -1;
+  private int sentSequence = -1;
+  private int sends;
+
+  SettingsSender(FirmwareSettings settings) {
+    this.settings = settings;
+  }
+
+  boolean isTaken(FirmwareStatus status) {
+    return status.powerCycle() == takenCycle;
+  }
+
+  /** What must be sent first; empty once the microcontroller has the settings. */
+  Optional<FirmwareCommand> next(FirmwareStatus status) {
+    if (isTaken(status)) {
+      return Optional.empty();
+    }
+    if (status.powerCycle() != askedCycle) {
+      askedCycle = status.powerCycle();
+      sentSequence = -1;
+      sends = 0;
+    }
+    boolean isMoving = status.state() == State.DRIVING || status.state() == State.PATH_DRIVING;
+    return Optional.of(isMoving ? new Velocity(Twist.ZERO) : new Settings(settings));
+  }
+
+  /**
+   * Under which sequence the settings are sent now: until they are answered under the same one.
+   *
+   * @param next that of a new command
+   */
+  int sequence(int next) {
+    sends++;
+    if (sentSequence < 0) {
+      sentSequence = next;
+    }
+    return sentSequence;
+  }
+
+  void update(FirmwareStatus status) {
+    if (status.sequence() != sentSequence) {
+      return;
+    }
+    sentSequence = -1;
+    if (status.answer() == Answer.DONE) {
+      takenCycle = status.powerCycle();
+      sends = 0;
+    }
+  }
+
+  /** Whether the microcontroller does not take them. */
+  boolean isRefused() {
+    return sends > MOST_SENDS;
+  }
+}
