@@ -112,6 +112,40 @@ class FloorTrafficTest {
         () -> String.valueOf(traffic.waitReason("a")));
   }
 
+  /** The one before it waits for a third, and is lost then; there is another way round. */
+  @ParameterizedTest
+  @ValueSource(ints = {16, 20, 32})
+  void whoStoppedBetweenTwoCellsBehindALostRobotTurnsBack(int ticks) {
+    DrivenFloor floor =
+        new DrivenFloor(
+            DrivenFloor.draw(
+                "..........#", //
+                ".########.#",
+                ".########.#",
+                ".########.#",
+                "..........."),
+            ticks);
+    List<String> robots = List.of("b", "a", "c");
+    List<Cell> goals = List.of(new Cell(9, 1), new Cell(9, 2), new Cell(10, 4));
+    for (int i = 0; i < robots.size(); i++) {
+      floor.put(robots.get(i), new Cell(i, 0));
+      floor.send(robots.get(i), goals.get(i));
+    }
+    step(floor, ticks);
+    floor.body("c").isStuck = true;
+    step(floor, 80);
+    floor.lose("a");
+    floor.body("c").isStuck = false;
+    floor.drive(LIMIT);
+    assertTrue(floor.isArrived("b"), () -> floor.reasons().toString());
+  }
+
+  private static void step(DrivenFloor floor, int ticks) {
+    for (int i = 0; i < ticks; i++) {
+      floor.step();
+    }
+  }
+
   @Test
   void aRobotParkedInADoorwayStepsAside() {
     DrivenFloor floor =
