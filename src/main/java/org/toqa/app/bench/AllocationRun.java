@@ -24,6 +24,7 @@ import org.toqa.allocation.Candidate;
 import org.toqa.allocation.Decision;
 import org.toqa.allocation.Energy;
 import org.toqa.app.bench.AllocationWorkload.RobotSpec;
+import org.toqa.app.bench.meter.ProcessorTime;
 import org.toqa.geometry.Vec2;
 import org.toqa.grid.OccupancyGrid;
 import org.toqa.statistics.Percentiles;
