@@ -157,7 +157,7 @@ final class SectionReleaser {
     Pose pose = path.poseAfter(index);
     List<Waypoint> waypoints =
         JointPlan.waypointsFromCentre(
-            lanes, visits, from, lanes.goalCell(robot), v -> v > from && v < until);
+            lanes, visits, from, lanes.goalPoint(robot), v -> v > from && v < until);
     List<Section> sections =
         fitter.fit(
             robot,
