@@ -123,8 +123,7 @@ final class FloorPlanner {
     Claims claims = new Claims(robots);
     claims.refresh();
     LaneOutcome outcome =
-        lanePlanner.plan(
-            robots, claims, claimed, need.mustReplan(), need.isStill(), request.now());
+        lanePlanner.plan(robots, claims, claimed, need.mustReplan(), need.isStill(), request.now());
     if (outcome == LaneOutcome.PLANNED || outcome == LaneOutcome.PLANNED_AHEAD) {
       robots.stream()
           .filter(TrafficRobot::hasPathToGoal)
@@ -133,8 +132,7 @@ final class FloorPlanner {
     return outcome;
   }
 
-  private void findWaitReasons(
-      Collection<TrafficRobot> robots, ClaimedAreas claimed, Instant now) {
+  private void findWaitReasons(Collection<TrafficRobot> robots, ClaimedAreas claimed, Instant now) {
     for (TrafficRobot robot : robots) {
       if (!robot.needsPath()) {
         robot.waiting.clearNoPathReason();

@@ -119,8 +119,9 @@ final class LanePoints {
   }
 
   /**
-   * Where a robot stops in the cell of its goal: in the middle if it shall face somehow, as where it
-   * meets others; else off a wall beside it, as far as it still is at its goal. Null: it has none.
+   * Where a robot stops in the cell of its goal: in the middle if it shall face somehow, as where
+   * it meets others; else off a wall beside it, as far as it still is at its goal. Null: it has
+   * none.
    */
   @Nullable Vec2 goalPoint(TrafficRobot robot) {
     Vec2 goal = robot.goal();

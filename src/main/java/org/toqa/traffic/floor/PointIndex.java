@@ -38,7 +38,6 @@ final class PointIndex {
   }
 
   private Square square(Vec2 point) {
-    return new Square(
-        (int) Math.floor(point.x() / reach), (int) Math.floor(point.y() / reach));
+    return new Square((int) Math.floor(point.x() / reach), (int) Math.floor(point.y() / reach));
   }
 }

@@ -25,8 +25,7 @@ final class WaitReasonFinder {
    * @param robot which wants to go somewhere and has no path there
    * @param claimed what the robots have or will need
    */
-  WaitReason reasonFor(
-      TrafficRobot robot, Collection<TrafficRobot> robots, ClaimedAreas claimed) {
+  WaitReason reasonFor(TrafficRobot robot, Collection<TrafficRobot> robots, ClaimedAreas claimed) {
     Vec2 goal = Objects.requireNonNull(robot.goal());
     if (robot.waiting.goalTakenBy() != null) {
       return new WaitReason.GoalTaken(robot.waiting.goalTakenBy(), goal);

@@ -40,8 +40,7 @@ class AreaIndexPropertyTest {
     for (int i = 0; i < 20; i++) {
       Vec2 asked = point(random);
       assertEquals(
-          points.stream().anyMatch(point -> point.distanceTo(asked) < reach),
-          index.hasNear(asked));
+          points.stream().anyMatch(point -> point.distanceTo(asked) < reach), index.hasNear(asked));
     }
   }
 
