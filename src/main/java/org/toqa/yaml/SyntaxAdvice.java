@@ -29,7 +29,9 @@ final class SyntaxAdvice {
           rule("expected alphabetic or numeric", "a text that begins with * or & stands in quotes"),
           rule("Nesting Depth exceeded", "it is nested too deeply"),
           rule("code points exceeds the limit", "it is too long"),
-          rule("aliases for non-scalar", "what was written once is written again where it is needed"));
+          rule(
+              "aliases for non-scalar",
+              "what was written once is written again where it is needed"));
 
   private SyntaxAdvice() {}
 

@@ -10,6 +10,7 @@ import java.util.function.Supplier;
 import java.util.stream.IntStream;
 import org.jspecify.annotations.Nullable;
 import org.toqa.allocation.Assignment;
+import org.toqa.app.bench.meter.ProcessorTime;
 import org.toqa.app.command.Arguments;
 import org.toqa.app.command.OptionalMapOption;
 import org.toqa.app.command.SeedOption;

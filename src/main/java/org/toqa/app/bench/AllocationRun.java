@@ -30,6 +30,7 @@ import org.toqa.allocation.Negotiation;
 import org.toqa.allocation.NegotiationCounts;
 import org.toqa.allocation.Terrain;
 import org.toqa.app.bench.AllocationWorkload.RobotSpec;
+import org.toqa.app.bench.meter.ProcessorTime;
 import org.toqa.geometry.Vec2;
 import org.toqa.grid.OccupancyGrid;
 import org.toqa.statistics.Percentiles;

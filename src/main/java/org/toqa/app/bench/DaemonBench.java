@@ -8,6 +8,8 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.Callable;
 import org.jspecify.annotations.Nullable;
+import org.toqa.app.bench.meter.LatencySummary;
+import org.toqa.app.bench.meter.MeasuredSeconds;
 import org.toqa.app.command.Arguments;
 import org.toqa.app.command.TemporaryFolder;
 import picocli.CommandLine.Command;

@@ -12,6 +12,7 @@ import java.util.function.Consumer;
 import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 import org.toqa.app.bench.FleetMeter.Report;
+import org.toqa.app.bench.meter.MeasuringTime;
 import org.toqa.app.command.Arguments;
 import org.toqa.app.command.CommandOutput;
 import org.toqa.app.command.OptionalMapOption;

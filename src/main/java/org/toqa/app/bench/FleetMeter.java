@@ -9,6 +9,8 @@ import java.util.Map;
 import java.util.Set;
 import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
+import org.toqa.app.bench.meter.HeapMemory;
+import org.toqa.app.bench.meter.ProcessMeter;
 import org.toqa.fleet.FleetSnapshot;
 import org.toqa.fleet.RobotView;
 import org.toqa.geometry.Vec2;

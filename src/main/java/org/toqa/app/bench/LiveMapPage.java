@@ -8,6 +8,8 @@ import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import org.toqa.app.bench.meter.LatencyHistogram;
+import org.toqa.app.bench.meter.LatencySummary;
 import org.toqa.geometry.Pose;
 import tools.jackson.databind.JsonNode;
 

@@ -8,6 +8,8 @@ import java.util.concurrent.atomic.AtomicLong;
 import java.util.concurrent.locks.ReadWriteLock;
 import java.util.concurrent.locks.ReentrantReadWriteLock;
 import org.jspecify.annotations.Nullable;
+import org.toqa.app.bench.meter.LatencyHistogram;
+import org.toqa.app.bench.meter.LatencySummary;
 import org.toqa.geometry.Pose;
 import tools.jackson.databind.JsonNode;
 

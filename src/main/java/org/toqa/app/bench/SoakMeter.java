@@ -10,6 +10,7 @@ import java.util.Map;
 import java.util.Objects;
 import java.util.function.Supplier;
 import java.util.stream.Stream;
+import org.toqa.app.bench.meter.HeapMemory;
 import org.toqa.fleet.FleetSnapshot;
 import org.toqa.fleet.RobotState;
 import org.toqa.fleet.RobotView;

@@ -3,6 +3,7 @@ package org.toqa.app.bench;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.concurrent.Callable;
+import org.toqa.app.bench.meter.LatencySummary;
 import org.toqa.app.command.Arguments;
 import org.toqa.app.command.TemporaryFolder;
 import picocli.CommandLine.Command;

@@ -3,6 +3,7 @@ package org.toqa.app.bench;
 import java.time.Duration;
 import java.util.Collection;
 import java.util.HashSet;
+import org.toqa.app.bench.meter.HeapMemory;
 import org.toqa.statistics.Percentiles;
 
 /**

@@ -112,8 +112,7 @@ public final class SettingSource {
     } catch (YamlSyntaxException e) {
       throw new ConfigurationException(
           e.line().isPresent()
-              ? "%s, line %d: %s."
-                  .formatted(file, e.line().getAsInt(), e.problem())
+              ? "%s, line %d: %s.".formatted(file, e.line().getAsInt(), e.problem())
               : file + ": is no YAML (" + e.problem() + ").");
     }
   }

@@ -1,7 +1,6 @@
 package org.toqa.traffic.floor;
 
 import java.util.ArrayList;
-import java.util.Collection;
 import java.util.List;
 import org.toqa.geometry.Pose;
 import org.toqa.motion.Segment;
@@ -18,14 +17,6 @@ final class Allocation {
       areas.add(placeArea(robot));
     }
     return areas;
-  }
-
-  /** In parts: what others than a robot have or will need. */
-  static List<SweptArea> claimedByOthers(TrafficRobot robot, Collection<TrafficRobot> robots) {
-    return robots.stream()
-        .filter(other -> other != robot)
-        .flatMap(other -> other.claimed().stream())
-        .toList();
   }
 
   /** What it has still to cover of the section that it is on: what is behind it is nobody's. */

@@ -7,7 +7,6 @@ import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
-import java.util.function.Consumer;
 import org.toqa.grid.OccupancyGrid;
 
 /**
@@ -16,16 +15,11 @@ import org.toqa.grid.OccupancyGrid;
  * floor has.
  */
 final class Claims {
-  /** The side of the squares by which areas are found, metres. */
-  private static final double SQUARE = 1;
-
   private final Collection<TrafficRobot> robots;
   private final Map<TrafficRobot, Entry> byRobot = new HashMap<>();
   private final Map<Square, List<Claim>> bySquare = new HashMap<>();
   private long readings;
   private long comparisons;
-
-  private record Square(int column, int row) {}
 
   private record Claim(TrafficRobot robot, SweptArea area) {}
 
@@ -56,7 +50,7 @@ final class Claims {
     }
     entry.areas.add(area);
     Claim claim = new Claim(robot, area);
-    forEachSquare(
+    Square.forEach(
         area, 0, square -> bySquare.computeIfAbsent(square, s -> new ArrayList<>()).add(claim));
   }
 
@@ -64,7 +58,7 @@ final class Claims {
   void remove(TrafficRobot robot) {
     Entry entry = byRobot.remove(robot);
     if (entry != null) {
-      entry.areas.forEach(area -> forEachSquare(area, 0, square -> removeFrom(square, robot)));
+      entry.areas.forEach(area -> Square.forEach(area, 0, square -> removeFrom(square, robot)));
     }
   }
 
@@ -85,7 +79,7 @@ final class Claims {
    */
   Set<TrafficRobot> tooNear(TrafficRobot robot, SweptArea standing, SweptArea area) {
     Set<TrafficRobot> others = new LinkedHashSet<>();
-    forEachSquare(
+    Square.forEach(
         area,
         Clearance.BETWEEN_ROBOTS,
         square -> {
@@ -106,7 +100,7 @@ final class Claims {
     Set<TrafficRobot> found = new LinkedHashSet<>();
     double half = grid.resolution() / 2;
     SweptArea whole = SweptArea.at(grid.centre(grid.cell(cell)), half);
-    forEachSquare(
+    Square.forEach(
         whole,
         0,
         square -> {
@@ -128,19 +122,5 @@ final class Claims {
   /** How many areas were looked at to answer what was asked, since the beginning. */
   long comparisons() {
     return comparisons;
-  }
-
-  private static void forEachSquare(SweptArea area, double around, Consumer<Square> consumer) {
-    int lastColumn = index(area.east() + around);
-    int lastRow = index(area.north() + around);
-    for (int column = index(area.west() - around); column <= lastColumn; column++) {
-      for (int row = index(area.south() - around); row <= lastRow; row++) {
-        consumer.accept(new Square(column, row));
-      }
-    }
-  }
-
-  private static int index(double metres) {
-    return (int) Math.floor(metres / SQUARE);
   }
 }

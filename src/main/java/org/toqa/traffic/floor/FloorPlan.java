@@ -3,7 +3,6 @@ package org.toqa.traffic.floor;
 import java.util.List;
 import java.util.Map;
 import org.jspecify.annotations.Nullable;
-import org.toqa.traffic.floor.LanePlanner.Outcome;
 
 /**
  * What planning answers to a request. Immutable: any thread may read it.
@@ -15,7 +14,7 @@ import org.toqa.traffic.floor.LanePlanner.Outcome;
 record FloorPlan(
     PlanningRequest request,
     List<ProposedPath> paths,
-    @Nullable Outcome jointOutcome,
+    @Nullable LaneOutcome jointOutcome,
     Map<String, WaitState.Findings> findings) {
   FloorPlan {
     paths = List.copyOf(paths);
@@ -24,11 +23,11 @@ record FloorPlan(
 
   /** Whether robots have paths by a plan for all of them. */
   boolean isJoint() {
-    return jointOutcome == Outcome.PLANNED || isPlannedAhead();
+    return jointOutcome == LaneOutcome.PLANNED || isPlannedAhead();
   }
 
   /** Whether these are only the next steps. */
   boolean isPlannedAhead() {
-    return jointOutcome == Outcome.PLANNED_AHEAD;
+    return jointOutcome == LaneOutcome.PLANNED_AHEAD;
   }
 }

@@ -18,7 +18,6 @@ import org.jspecify.annotations.Nullable;
 import org.toqa.grid.OccupancyGrid;
 import org.toqa.traffic.Deadline;
 import org.toqa.traffic.JointPlanner;
-import org.toqa.traffic.floor.LanePlanner.Outcome;
 import org.toqa.traffic.lifelong.LifelongPlanner;
 
 /**
@@ -69,12 +68,13 @@ final class FloorPlanner {
     freeSpace.setObstacles(request.obstacles());
     rightOfWay.update(robots.values(), request.now());
     rightOfWay.freePathsOver(robots.values());
-    planSingleRobots(request, robots.values());
-    Outcome outcome = planJointly(request, robots.values());
-    findWaitReasons(robots.values(), request.now());
+    ClaimedAreas claimed = new ClaimedAreas(robots.values());
+    planSingleRobots(request, robots.values(), claimed);
+    LaneOutcome outcome = planJointly(request, robots.values(), claimed);
+    findWaitReasons(robots.values(), claimed, request.now());
     robots.values().stream()
         .filter(TrafficRobot::needsPath)
-        .forEach(robot -> roomMaker.makeRoomFor(robot, robots, request.now()));
+        .forEach(robot -> roomMaker.makeRoomFor(robot, robots, claimed, request.now()));
     return result(request, robots, outcome);
   }
 
@@ -82,7 +82,8 @@ final class FloorPlanner {
    * Gives their own paths to those that wait: whose way is closed to others, then formations, then
    * the longest waiting.
    */
-  private void planSingleRobots(PlanningRequest request, Collection<TrafficRobot> robots) {
+  private void planSingleRobots(
+      PlanningRequest request, Collection<TrafficRobot> robots, ClaimedAreas claimed) {
     robots.stream()
         .filter(robot -> request.dueForOwnPath().contains(robot.name))
         .sorted(
@@ -92,11 +93,12 @@ final class FloorPlanner {
                 .thenComparing(
                     robot -> robot.waiting.since(), nullsLast(Comparator.<Instant>naturalOrder())))
         .toList()
-        .forEach(robot -> planSingleRobot(robot, robots));
+        .forEach(robot -> planSingleRobot(robot, robots, claimed));
   }
 
-  private void planSingleRobot(TrafficRobot robot, Collection<TrafficRobot> robots) {
-    List<SweptArea> claimed = new ArrayList<>(Allocation.claimedByOthers(robot, robots));
+  private void planSingleRobot(
+      TrafficRobot robot, Collection<TrafficRobot> robots, ClaimedAreas claimedAreas) {
+    List<SweptArea> claimed = claimedAreas.ofOthers(robot);
     if (!robot.name.equals(rightOfWay.holder())) {
       claimed.addAll(rightOfWay.closedTo(robot));
       robots.stream()
@@ -112,16 +114,17 @@ final class FloorPlanner {
             });
   }
 
-  private @Nullable Outcome planJointly(PlanningRequest request, Collection<TrafficRobot> robots) {
+  private @Nullable LaneOutcome planJointly(
+      PlanningRequest request, Collection<TrafficRobot> robots, ClaimedAreas claimed) {
     ReplanTrigger.Need need = request.need();
     if (!need.isDue() || !need.isOf(robots)) {
       return null;
     }
     Claims claims = new Claims(robots);
     claims.refresh();
-    Outcome outcome =
-        lanePlanner.plan(robots, claims, need.mustReplan(), need.isStill(), request.now());
-    if (outcome == Outcome.PLANNED || outcome == Outcome.PLANNED_AHEAD) {
+    LaneOutcome outcome =
+        lanePlanner.plan(robots, claims, claimed, need.mustReplan(), need.isStill(), request.now());
+    if (outcome == LaneOutcome.PLANNED || outcome == LaneOutcome.PLANNED_AHEAD) {
       robots.stream()
           .filter(TrafficRobot::hasPathToGoal)
           .forEach(robot -> robot.waiting.endWaitForPath());
@@ -129,18 +132,18 @@ final class FloorPlanner {
     return outcome;
   }
 
-  private void findWaitReasons(Collection<TrafficRobot> robots, Instant now) {
+  private void findWaitReasons(Collection<TrafficRobot> robots, ClaimedAreas claimed, Instant now) {
     for (TrafficRobot robot : robots) {
       if (!robot.needsPath()) {
         robot.waiting.clearNoPathReason();
       } else if (robot.waiting.isNoPathReasonOlderThan(RETRY_AFTER, now)) {
-        robot.waiting.setNoPathReason(waitReasons.reasonFor(robot, robots), now);
+        robot.waiting.setNoPathReason(waitReasons.reasonFor(robot, robots, claimed), now);
       }
     }
   }
 
   private static FloorPlan result(
-      PlanningRequest request, Map<String, TrafficRobot> robots, @Nullable Outcome outcome) {
+      PlanningRequest request, Map<String, TrafficRobot> robots, @Nullable LaneOutcome outcome) {
     List<ProposedPath> paths = new ArrayList<>();
     Map<String, WaitState.Findings> findings = new HashMap<>();
     for (TrafficRobot pictured : request.robots()) {

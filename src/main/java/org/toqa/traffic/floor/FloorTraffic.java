@@ -96,7 +96,7 @@ public final class FloorTraffic {
       Executor planning) {
     this.grid = grid;
     this.claims = new Claims(robots.values());
-    this.releaser = new SectionReleaser(new SectionFitter(), robots, claims);
+    this.releaser = new SectionReleaser(new SectionFitter(), robots, claims, trigger);
     this.pathAssigner =
         new PathAssigner(
             robots,

@@ -41,7 +41,7 @@ final class FormationClearance {
   private final BitSet solid;
 
   /** What others have or will need. */
-  private final List<SweptArea> claimed;
+  private final AreaIndex claimed;
 
   /** The cells in which it may come too near to these. */
   private final BitSet nearClaimed = new BitSet();
@@ -70,8 +70,8 @@ final class FormationClearance {
     this.start = start;
     this.marginAtStart = marginAtStart;
     this.solid = (BitSet) blocked.clone();
-    this.claimed = claimedByOthers;
-    claimed.forEach(area -> area.cells(grid, Clearance.BETWEEN_ROBOTS).addTo(nearClaimed));
+    this.claimed = new AreaIndex(claimedByOthers);
+    claimedByOthers.forEach(area -> area.cells(grid, Clearance.BETWEEN_ROBOTS).addTo(nearClaimed));
     this.standing = SweptArea.at(formation.discs(start));
     double kept = marginAtStart - lack(start);
     this.entering = formation.widened(kept);
@@ -107,7 +107,7 @@ final class FormationClearance {
   }
 
   private boolean isOffClaimed(SweptArea area) {
-    return claimed.stream().allMatch(other -> Clearance.isKept(standing, area, other));
+    return claimed.isKept(standing, area);
   }
 
   /**

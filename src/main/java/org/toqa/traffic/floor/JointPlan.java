@@ -139,13 +139,13 @@ final class JointPlan {
         fitter.fit(
             robot,
             start,
-            waypointsFromCentre(lanes, visits, 0, lanes.goalCell(robot), i -> true),
+            waypointsFromCentre(lanes, visits, 0, lanes.goalPoint(robot), i -> true),
             length,
             passingPlaces);
     if (!passingPlaces.isCentre(start.position())) {
       return turning;
     }
-    List<Waypoint> waypoints = lanes.waypoints(visits, 0, lanes.goalCell(robot), i -> false);
+    List<Waypoint> waypoints = lanes.waypoints(visits, 0, lanes.goalPoint(robot), i -> false);
     SweptArea standing = robot.areaAt(start);
     List<List<Section>> fits =
         Stream.of(length, length / 2)
@@ -213,7 +213,7 @@ final class JointPlan {
    * enough.
    */
   static List<Waypoint> waypointsFromCentre(
-      LanePoints lanes, List<Cell> visits, int from, @Nullable Cell goal, IntPredicate stopsAt) {
+      LanePoints lanes, List<Cell> visits, int from, @Nullable Vec2 goal, IntPredicate stopsAt) {
     List<Waypoint> waypoints = new ArrayList<>();
     waypoints.add(new Waypoint(lanes.of(visits.get(from)), true));
     waypoints.addAll(lanes.waypoints(visits, from, goal, stopsAt));

@@ -230,7 +230,7 @@ final class LaneGrid {
             standing.put(
                 lattice.cellAt(start.position()), SweptArea.at(start.position(), diameter / 2)));
     BitSet near = new BitSet();
-    for (SweptArea area : occupied.claimed()) {
+    for (SweptArea area : occupied.claimed().areas()) {
       area.cells(lattice, diameter / 2 + Clearance.BETWEEN_ROBOTS).addTo(near);
     }
     RoadGraph open = roads(occupied.blocked());
@@ -266,12 +266,9 @@ final class LaneGrid {
     SweptArea area = SweptArea.along(lattice.centre(one), lattice.centre(two), diameter / 2);
     List<SweptArea> starts =
         Stream.of(standing.get(one), standing.get(two)).filter(Objects::nonNull).toList();
-    return occupied.claimed().stream()
-        .allMatch(
-            claimed ->
-                starts.isEmpty()
-                    ? Clearance.isKept(area, claimed)
-                    : starts.stream().allMatch(start -> Clearance.isKept(start, area, claimed)));
+    return starts.isEmpty()
+        ? occupied.claimed().isKept(area)
+        : starts.stream().allMatch(start -> occupied.claimed().isKept(start, area));
   }
 
   /**

@@ -67,22 +67,14 @@ final class LanePlanner {
     this.planningDeadline = planningDeadline;
   }
 
-  enum Outcome {
-    /** All have paths by the new plan. */
-    PLANNED,
-    /** All have the next steps of their paths. */
-    PLANNED_AHEAD,
-    /** Those without a path can only stay, and nobody could make room: no plan would help now. */
-    NOT_NEEDED,
-    NOT_FOUND
-  }
-
   /**
+   * @param claimed what the robots have or will need
    * @param mustPlan whether paths were given up that others wait for
    */
-  Outcome plan(
+  LaneOutcome plan(
       Collection<TrafficRobot> robots,
       Claims claims,
+      ClaimedAreas claimed,
       boolean mustPlan,
       boolean isStill,
       Instant now) {
@@ -91,17 +83,17 @@ final class LanePlanner {
     List<Attempt> incomplete = new ArrayList<>();
     for (boolean everybody : List.of(false, true)) {
       for (double diameter : diameters(robots, everybody)) {
-        Attempt attempt = new Attempt(robots, claims, diameter, everybody);
+        Attempt attempt = new Attempt(robots, claims, claimed, diameter, everybody);
         if (!isStill
             && (attempt.planned.size() > MOST_WHOLE || rightOfWay.isClosedTo(attempt.planned))
             && attempt.planAhead(now, deadline)) {
-          return Outcome.PLANNED_AHEAD;
+          return LaneOutcome.PLANNED_AHEAD;
         }
         if (attempt.leftOutCount() > 0) {
           incomplete.add(attempt);
         } else {
-          Outcome outcome = tryPlan(attempt, mustPlan, deadline);
-          if (outcome != Outcome.NOT_FOUND) {
+          LaneOutcome outcome = tryPlan(attempt, mustPlan, deadline);
+          if (outcome != LaneOutcome.NOT_FOUND) {
             return outcome;
           }
         }
@@ -109,18 +101,18 @@ final class LanePlanner {
     }
     incomplete.sort(Comparator.comparingInt(Attempt::leftOutCount));
     for (Attempt attempt : incomplete) {
-      Outcome outcome = tryPlan(attempt, mustPlan, deadline);
-      if (outcome != Outcome.NOT_FOUND) {
+      LaneOutcome outcome = tryPlan(attempt, mustPlan, deadline);
+      if (outcome != LaneOutcome.NOT_FOUND) {
         return outcome;
       }
     }
-    return Outcome.NOT_FOUND;
+    return LaneOutcome.NOT_FOUND;
   }
 
   /** Plans for all goals at once; where there is no such plan, for whoever waits longest. */
-  private Outcome tryPlan(Attempt attempt, boolean mustPlan, Deadline deadline) {
+  private LaneOutcome tryPlan(Attempt attempt, boolean mustPlan, Deadline deadline) {
     if (!mustPlan && attempt.wanted.isEmpty() && attempt.isStandingStill()) {
-      return Outcome.NOT_NEEDED;
+      return LaneOutcome.NOT_NEEDED;
     }
     Optional<List<int[]>> steps =
         planner
@@ -143,7 +135,7 @@ final class LanePlanner {
           attempt.adopt(attempt.roads, attempt.spacing, found);
           rightOfWay.setPlanned(attempt.goals.reaching());
         });
-    return steps.isPresent() ? Outcome.PLANNED : Outcome.NOT_FOUND;
+    return steps.isPresent() ? LaneOutcome.PLANNED : LaneOutcome.NOT_FOUND;
   }
 
   /** Of the robots that need a plan, or of everybody; the largest first. */
@@ -175,12 +167,19 @@ final class LanePlanner {
     RoadGraph roads;
     private final Collection<TrafficRobot> robots;
     private final Claims claims;
+    private final ClaimedAreas claimed;
     private Map<TrafficRobot, Cell> places = Map.of();
     private Map<TrafficRobot, List<Section>> sectionsToPlaces = Map.of();
 
-    Attempt(Collection<TrafficRobot> robots, Claims claims, double diameter, boolean everybody) {
+    Attempt(
+        Collection<TrafficRobot> robots,
+        Claims claims,
+        ClaimedAreas claimed,
+        double diameter,
+        boolean everybody) {
       this.robots = robots;
       this.claims = claims;
+      this.claimed = claimed;
       this.diameter = diameter;
       this.lanes = freeSpace.laneGrid(diameter);
       this.points = lanes.points(freeSpace.blocked());
@@ -210,40 +209,35 @@ final class LanePlanner {
     }
 
     private boolean isCandidate(TrafficRobot robot, boolean everybody) {
-      if (!robot.isMovable()
-          || robot.isStalled()
-          || robot.formation() != null
-          || robot.radius() > diameter / 2) {
-        return false;
-      }
-      return everybody
-          || robot.needsPath()
-          || robot.drive.isOnSharedPath()
-          || (robot.drive.path() == null && isOnLane(robot))
-          || wanted.stream().anyMatch(area -> !Clearance.isKept(robot.standingArea(), area));
+      return canJoin(robot)
+          && (everybody
+              || robot.needsPath()
+              || robot.drive.isOnSharedPath()
+              || (robot.drive.path() == null && isOnLane(robot))
+              || wanted.stream().anyMatch(area -> !Clearance.isKept(robot.standingArea(), area)));
+    }
+
+    private boolean canJoin(TrafficRobot robot) {
+      return robot.isMovable()
+          && !robot.isStalled()
+          && robot.formation() == null
+          && robot.radius() <= diameter / 2;
     }
 
     /** Those too that would meet them on paths of their own. */
     private void addNearby() {
-      double reach = REACH * lanes.lattice().resolution();
+      PointIndex ends = new PointIndex(REACH * lanes.lattice().resolution());
+      Set<TrafficRobot> members = new HashSet<>(planned);
+      planned.forEach(robot -> ends.add(robot.committedEnd().position()));
       for (TrafficRobot robot : robots) {
-        boolean canJoin =
-            robot.isMovable()
-                && !robot.isStalled()
-                && robot.formation() == null
-                && robot.radius() <= diameter / 2
-                && robot.drive.hasUncommitted();
-        if (canJoin && !planned.contains(robot) && isNearPlanned(robot, reach)) {
+        if (canJoin(robot)
+            && robot.drive.hasUncommitted()
+            && !members.contains(robot)
+            && robot.drive.uncommittedEnds().stream().anyMatch(ends::hasNear)) {
           planned.add(robot);
+          ends.add(robot.committedEnd().position());
         }
       }
-    }
-
-    private boolean isNearPlanned(TrafficRobot robot, double reach) {
-      List<Vec2> points = robot.drive.uncommittedEnds();
-      return planned.stream()
-          .map(other -> other.committedEnd().position())
-          .anyMatch(end -> points.stream().anyMatch(point -> point.distanceTo(end) < reach));
     }
 
     /**
@@ -294,12 +288,12 @@ final class LanePlanner {
     /** What others have or will need. */
     private OccupiedSpace findOccupied() {
       Set<TrafficRobot> members = new HashSet<>(planned);
-      List<SweptArea> claimed =
+      List<SweptArea> others =
           robots.stream()
               .filter(robot -> !members.contains(robot))
-              .flatMap(robot -> robot.claimed().stream())
+              .flatMap(robot -> claimed.of(robot).stream())
               .toList();
-      return new OccupiedSpace(freeSpace.grid(), freeSpace.blocked(), claimed);
+      return new OccupiedSpace(freeSpace.grid(), freeSpace.blocked(), others);
     }
 
     private RoadGraph buildRoads() {

@@ -19,6 +19,9 @@ final class LanePoints {
   /** A point is beside the middle by at most so much, in cells. */
   private static final double MOST = 0.2;
 
+  /** Who is beside the middle of its goal's cell by no more than that, in cells, is at its goal. */
+  private static final double MOST_AT_GOAL = 0.18;
+
   /** Radians; lines that bend less are straight. */
   private static final double STRAIGHT = 1e-3;
 
@@ -92,10 +95,10 @@ final class LanePoints {
    * Where a path over cells bends or turns back, and its end; its first cell is left out.
    *
    * @param from where it begins, as an index of the cells
-   * @param goal the cell in whose middle it ends, if it ends there; null: none
+   * @param goal where it ends, if it ends in that cell, metres, map frame; null: as in any cell
    * @param stopsAt the indices of the cells where the robot turns on the spot
    */
-  List<Waypoint> waypoints(List<Cell> path, int from, @Nullable Cell goal, IntPredicate stopsAt) {
+  List<Waypoint> waypoints(List<Cell> path, int from, @Nullable Vec2 goal, IntPredicate stopsAt) {
     List<Waypoint> waypoints = new ArrayList<>();
     Vec2 before = of(path.get(from));
     for (int i = from + 1; i < path.size(); i++) {
@@ -115,15 +118,28 @@ final class LanePoints {
     return waypoints;
   }
 
-  /** The cell of a robot's goal; null where it has none. */
-  @Nullable Cell goalCell(TrafficRobot robot) {
+  /**
+   * Where a robot stops in the cell of its goal: in the middle if it shall face somehow, as where
+   * it meets others; else off a wall beside it, as far as it still is at its goal. Null: it has
+   * none.
+   */
+  @Nullable Vec2 goalPoint(TrafficRobot robot) {
     Vec2 goal = robot.goal();
-    return goal == null ? null : cells.cellAt(goal);
+    if (goal == null) {
+      return null;
+    }
+    Cell cell = cells.cellAt(goal);
+    Vec2 centre = cells.centre(cell);
+    Vec2 aside = of(cell).minus(centre);
+    double most = MOST_AT_GOAL * cells.resolution();
+    return robot.requiredHeadingAt(goal) != null
+        ? centre
+        : centre.plus(aside.times(aside.norm() <= most ? 1 : most / aside.norm()));
   }
 
-  private Vec2 endOf(List<Cell> path, @Nullable Cell goal) {
+  private Vec2 endOf(List<Cell> path, @Nullable Vec2 goal) {
     Cell last = path.getLast();
-    return last.equals(goal) ? cells.centre(last) : of(last);
+    return goal != null && last.equals(cells.cellAt(goal)) ? goal : of(last);
   }
 
   private static boolean isStraight(Vec2 before, Vec2 here, Vec2 next) {

@@ -24,8 +24,10 @@ final class RoomMaker {
    * Sends away who is on the only path of a robot that has waited long enough.
    *
    * @param robots all, by name
+   * @param claimed what they have or will need
    */
-  void makeRoomFor(TrafficRobot robot, Map<String, TrafficRobot> robots, Instant now) {
+  void makeRoomFor(
+      TrafficRobot robot, Map<String, TrafficRobot> robots, ClaimedAreas claimed, Instant now) {
     Instant since = robot.waiting.since();
     if (since == null || since.plus(MAKE_ROOM_AFTER).isAfter(now)) {
       return;
@@ -43,8 +45,7 @@ final class RoomMaker {
       return;
     }
     Optional<List<Section>> out =
-        singleRobotPlanner.pathOutOf(
-            other, Allocation.claimedByOthers(other, robots.values()), wanted);
+        singleRobotPlanner.pathOutOf(other, claimed.ofOthers(other), wanted);
     if (out.isPresent()) {
       other.freeUnreleased();
       other.continueOn(ReservedPath.independent(other.committedEnd(), out.get()));

@@ -18,6 +18,9 @@ import org.toqa.traffic.floor.ReservedPath.Dependency;
 final class SectionReleaser {
   private static final Duration SPLIT_CORNER_AFTER = Duration.ofMillis(500);
 
+  /** Who has been stopped between two cells for so long need not go on to the next. */
+  private static final Duration TURN_BACK_AFTER = Duration.ofSeconds(20);
+
   /** Released ahead of a robot: at least so many seconds of driving. */
   private static final double SECONDS_AHEAD = 3;
 
@@ -27,11 +30,17 @@ final class SectionReleaser {
   private final SectionFitter fitter;
   private final Map<String, TrafficRobot> robots;
   private final Claims claims;
+  private final ReplanTrigger trigger;
 
-  SectionReleaser(SectionFitter fitter, Map<String, TrafficRobot> robots, Claims claims) {
+  SectionReleaser(
+      SectionFitter fitter,
+      Map<String, TrafficRobot> robots,
+      Claims claims,
+      ReplanTrigger trigger) {
     this.fitter = fitter;
     this.robots = robots;
     this.claims = claims;
+    this.trigger = trigger;
   }
 
   /**
@@ -47,6 +56,10 @@ final class SectionReleaser {
     while (robot.drive.released() < path.sectionCount()
         && Allocation.secondsAhead(robot) < enough) {
       if (!canEnter(robot, path, robot.drive.released())) {
+        if (isBarredHalfway(robot, now)) {
+          freeCommitted(robot);
+          return;
+        }
         if (!hasWaited(robot, now) || !splitCorner(robot, path)) {
           return;
         }
@@ -91,6 +104,32 @@ final class SectionReleaser {
         || other.drive.path().visitAfterSections(other.drive.committed()) > dependency.visit();
   }
 
+  /**
+   * Whether it was stopped between two cells by one that cannot go on, or for long by any: then it
+   * is not bound to go on to the next cell, but planned from where it is.
+   */
+  private boolean isBarredHalfway(TrafficRobot robot, Instant now) {
+    Drive drive = robot.drive;
+    WaitReason reason = robot.waiting.blockedReason();
+    if (drive.released() == drive.committed() || reason == null || !hasWaited(robot, now)) {
+      return false;
+    }
+    TrafficRobot other = reason.robot() == null ? null : robots.get(reason.robot());
+    boolean isBarred = other != null && stays(other);
+    return isBarred || robot.waiting.blockedSince(now).plus(TURN_BACK_AFTER).isBefore(now);
+  }
+
+  private static boolean stays(TrafficRobot robot) {
+    return robot.isStalled() || (!robot.isMovable() && !robot.drive.isDriving());
+  }
+
+  private void freeCommitted(TrafficRobot robot) {
+    trigger.markFreed(robot);
+    trigger.markChanged();
+    robot.freeUnreleased();
+    robot.waiting.restartBlocked();
+  }
+
   /** Whether it has been stopped before the section for a little. */
   private static boolean hasWaited(TrafficRobot robot, Instant now) {
     if (robot.drive.completed() < robot.drive.released()) {
@@ -118,7 +157,7 @@ final class SectionReleaser {
     Pose pose = path.poseAfter(index);
     List<Waypoint> waypoints =
         JointPlan.waypointsFromCentre(
-            lanes, visits, from, lanes.goalCell(robot), v -> v > from && v < until);
+            lanes, visits, from, lanes.goalPoint(robot), v -> v > from && v < until);
     List<Section> sections =
         fitter.fit(
             robot,

@@ -278,7 +278,8 @@ final class SingleRobotPlanner {
     if (!exit.equals(goal) && robot.goal() != null) {
       waypoints.add(new Waypoint(robot.goal(), false));
     } else if (waypoints.isEmpty()) {
-      waypoints.add(new Waypoint(grid.centre(goal), false)); // in its cell, not in the middle
+      Vec2 point = freeSpace.points(robot.radius()).goalPoint(robot);
+      waypoints.add(new Waypoint(point == null ? grid.centre(goal) : point, false)); // in its cell
     }
     return path.map(p -> waypoints);
   }
@@ -294,7 +295,8 @@ final class SingleRobotPlanner {
         cells.add(step.cell());
       }
     }
-    return freeSpace.points(robot.radius()).waypoints(cells, 0, robot.goalCell(), turns::get);
+    LanePoints points = freeSpace.points(robot.radius());
+    return points.waypoints(cells, 0, points.goalPoint(robot), turns::get);
   }
 
   /**

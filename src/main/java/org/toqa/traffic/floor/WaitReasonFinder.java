@@ -23,27 +23,32 @@ final class WaitReasonFinder {
 
   /**
    * @param robot which wants to go somewhere and has no path there
+   * @param claimed what the robots have or will need
    */
-  WaitReason reasonFor(TrafficRobot robot, Collection<TrafficRobot> robots) {
+  WaitReason reasonFor(TrafficRobot robot, Collection<TrafficRobot> robots, ClaimedAreas claimed) {
     Vec2 goal = Objects.requireNonNull(robot.goal());
     if (robot.waiting.goalTakenBy() != null) {
       return new WaitReason.GoalTaken(robot.waiting.goalTakenBy(), goal);
     }
     Optional<List<Section>> sections = singleRobotPlanner.pathAroundNotMovable(robot, robots);
     if (sections.isPresent()) {
-      return firstBlocking(robot, sections.get(), robots).orElse(new WaitReason.NoPlan(goal));
+      return firstBlocking(robot, sections.get(), robots, claimed)
+          .orElse(new WaitReason.NoPlan(goal));
     }
     List<TrafficRobot> notMovable = robots.stream().filter(o -> !o.isMovable()).toList();
     return singleRobotPlanner
         .pathAlone(robot)
-        .flatMap(alone -> firstBlocking(robot, alone, notMovable))
+        .flatMap(alone -> firstBlocking(robot, alone, notMovable, claimed))
         .orElseGet(() -> reasonWithoutPath(robot, goal));
   }
 
   private Optional<WaitReason> firstBlocking(
-      TrafficRobot robot, List<Section> sections, Collection<TrafficRobot> robots) {
+      TrafficRobot robot,
+      List<Section> sections,
+      Collection<TrafficRobot> robots,
+      ClaimedAreas claimed) {
     return IntStream.range(0, sections.size())
-        .mapToObj(i -> blocking(robot, sections.get(i), cellAfter(sections, i), robots))
+        .mapToObj(i -> blocking(robot, sections.get(i), cellAfter(sections, i), robots, claimed))
         .filter(Objects::nonNull)
         .findFirst();
   }
@@ -74,12 +79,16 @@ final class WaitReasonFinder {
   }
 
   private @Nullable WaitReason blocking(
-      TrafficRobot robot, Section section, Vec2 where, Collection<TrafficRobot> robots) {
+      TrafficRobot robot,
+      Section section,
+      Vec2 where,
+      Collection<TrafficRobot> robots,
+      ClaimedAreas claimed) {
     SweptArea standing = robot.areaAt(robot.committedEnd());
     for (TrafficRobot other : robots) {
       boolean isBlocking =
           other != robot
-              && other.claimed().stream()
+              && claimed.of(other).stream()
                   .anyMatch(area -> !Clearance.isKept(standing, section.area(), area));
       if (isBlocking) {
         if (!other.isMovable()) {

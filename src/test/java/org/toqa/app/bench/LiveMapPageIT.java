@@ -12,6 +12,7 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.extension.ExtendWith;
+import org.toqa.app.bench.meter.LatencySummary;
 import org.toqa.testbed.Needed;
 import org.toqa.testbed.SteadyNetwork;
 

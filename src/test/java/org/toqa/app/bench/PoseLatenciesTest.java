@@ -9,6 +9,7 @@ import java.time.InstantSource;
 import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
+import org.toqa.app.bench.meter.LatencySummary;
 import org.toqa.geometry.Pose;
 import tools.jackson.databind.json.JsonMapper;
 

@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.time.Duration;
 import java.time.Instant;
 import java.util.ArrayList;
+import java.util.BitSet;
 import java.util.List;
 import java.util.Map;
 import org.junit.jupiter.api.Test;
@@ -14,6 +15,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 import org.toqa.geometry.Pose;
 import org.toqa.geometry.Vec2;
 import org.toqa.grid.Cell;
+import org.toqa.grid.OccupancyGrid;
 import org.toqa.traffic.Deadline;
 import org.toqa.traffic.mapf.LacamJointPlanner;
 
@@ -110,6 +112,55 @@ class FloorTrafficTest {
     assertTrue(
         traffic.decide(now).stream().anyMatch(DriveCommand.Begin.class::isInstance),
         () -> String.valueOf(traffic.waitReason("a")));
+  }
+
+  /** Cells of 0.30 m: in the middle of one beside a wall there would be 0.0225 m. */
+  @Test
+  void atAGoalBesideAWallARobotStandsOffTheWall() {
+    OccupancyGrid grid = new OccupancyGrid(6, 3, 0.3, Vec2.ZERO, new BitSet());
+    DrivenFloor floor = new DrivenFloor(grid, 1);
+    floor.put("a", new Cell(0, 1));
+    floor.send("a", new Cell(3, 0));
+    floor.drive(LIMIT);
+    floor.step(); // it reports that it stands
+    double wall = grid.height() * grid.resolution();
+    double gap = wall - floor.body("a").pose.position().y() - DrivenFloor.DIAMETER / 2;
+    assertEquals(Clearance.FROM_WALLS, gap, 1e-6);
+    assertTrue(floor.traffic.isAtGoal("a"));
+  }
+
+  /** The one before it waits for a third, and is lost then; there is another way round. */
+  @ParameterizedTest
+  @ValueSource(ints = {16, 20, 32})
+  void whoStoppedBetweenTwoCellsBehindALostRobotTurnsBack(int ticks) {
+    DrivenFloor floor =
+        new DrivenFloor(
+            DrivenFloor.draw(
+                "..........#", //
+                ".########.#",
+                ".########.#",
+                ".########.#",
+                "..........."),
+            ticks);
+    List<String> robots = List.of("b", "a", "c");
+    List<Cell> goals = List.of(new Cell(9, 1), new Cell(9, 2), new Cell(10, 4));
+    for (int i = 0; i < robots.size(); i++) {
+      floor.put(robots.get(i), new Cell(i, 0));
+      floor.send(robots.get(i), goals.get(i));
+    }
+    step(floor, ticks);
+    floor.body("c").isStuck = true;
+    step(floor, 80);
+    floor.lose("a");
+    floor.body("c").isStuck = false;
+    floor.drive(LIMIT);
+    assertTrue(floor.isArrived("b"), () -> floor.reasons().toString());
+  }
+
+  private static void step(DrivenFloor floor, int ticks) {
+    for (int i = 0; i < ticks; i++) {
+      floor.step();
+    }
   }
 
   @Test

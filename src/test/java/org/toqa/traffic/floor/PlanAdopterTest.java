@@ -69,7 +69,7 @@ class PlanAdopterTest {
             List.of(
                 ProposedPath.of(pictured.getFirst(), planned.getFirst()),
                 ProposedPath.of(pictured.getLast(), planned.getLast())),
-            LanePlanner.Outcome.PLANNED,
+            LaneOutcome.PLANNED,
             Map.of("a", a.waiting.findings(), "b", b.waiting.findings()));
     claims.refresh();
   }

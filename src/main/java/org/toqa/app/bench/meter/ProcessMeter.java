@@ -1,4 +1,4 @@
-package org.toqa.app.bench;
+package org.toqa.app.bench.meter;
 
 import com.sun.management.OperatingSystemMXBean;
 import java.lang.management.ManagementFactory;
@@ -7,7 +7,7 @@ import java.time.Instant;
 import java.time.InstantSource;
 
 /** Measures how this process keeps up, from when it is made until it is read. */
-final class ProcessMeter {
+public final class ProcessMeter {
   private final OperatingSystemMXBean system =
       ManagementFactory.getPlatformMXBean(OperatingSystemMXBean.class);
   private final InstantSource fleetClock;
@@ -20,18 +20,18 @@ final class ProcessMeter {
    * @param pace the fleet's seconds a second of real time
    * @param cores processor seconds a second, of the whole process
    */
-  record Reading(double seconds, double pace, double cores) {}
+  public record Reading(double seconds, double pace, double cores) {}
 
   /**
    * @param fleetTime the fleet's own clock
    */
-  ProcessMeter(InstantSource fleetTime) {
+  public ProcessMeter(InstantSource fleetTime) {
     this.fleetClock = fleetTime;
     this.fleetStart = fleetTime.instant();
   }
 
   /** What was measured until now; it goes on measuring. */
-  Reading read() {
+  public Reading read() {
     double nanos = System.nanoTime() - startNanos;
     return new Reading(
         nanos / 1e9,

@@ -1,4 +1,4 @@
-package org.toqa.app.bench;
+package org.toqa.app.bench.meter;
 
 import org.toqa.statistics.Percentiles;
 
@@ -10,12 +10,12 @@ import org.toqa.statistics.Percentiles;
  * @param p99Ms 99th percentile, milliseconds
  * @param maxMs the longest, milliseconds
  */
-record LatencySummary(long count, double p50Ms, double p99Ms, double maxMs) {
+public record LatencySummary(long count, double p50Ms, double p99Ms, double maxMs) {
 
   /**
    * @param millis milliseconds, in any order
    */
-  static LatencySummary of(double[] millis) {
+  public static LatencySummary of(double[] millis) {
     Percentiles timings = new Percentiles(millis);
     return new LatencySummary(
         millis.length, timings.percentile(0.5), timings.percentile(0.99), timings.max());

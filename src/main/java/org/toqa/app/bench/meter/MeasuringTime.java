@@ -1,11 +1,11 @@
-package org.toqa.app.bench;
+package org.toqa.app.bench.meter;
 
 import org.toqa.app.command.Arguments;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 
 /** The options of a bench that say how long it measures, and how long it warms up before. */
-final class MeasuringTime {
+public final class MeasuringTime {
   @Mixin private MeasuredSeconds measured = new MeasuredSeconds();
 
   @Option(
@@ -18,18 +18,18 @@ final class MeasuringTime {
   /**
    * @throws picocli.CommandLine.ParameterException when one of them is out of its range
    */
-  void check(Arguments arguments) {
+  public void check(Arguments arguments) {
     measured.check(arguments);
     arguments.requireBetween("--warm-up", warmUp, 0, 3600);
   }
 
   /** Seconds of real time that are measured. */
-  int seconds() {
+  public int seconds() {
     return measured.value();
   }
 
   /** Seconds of real time before that. */
-  int warmUp() {
+  public int warmUp() {
     return warmUp;
   }
 }

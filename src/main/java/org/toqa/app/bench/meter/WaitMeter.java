@@ -1,10 +1,10 @@
-package org.toqa.app.bench;
+package org.toqa.app.bench.meter;
 
 import org.jspecify.annotations.Nullable;
 import org.toqa.geometry.Vec2;
 
 /** How long robots that have a goal stand short of it, and what is said why. */
-final class WaitMeter {
+public final class WaitMeter {
   /** Metres; a robot that has moved by less stands. */
   private static final double MOVED = 0.05;
 
@@ -22,7 +22,7 @@ final class WaitMeter {
   /**
    * @param places where the robots begin, map frame
    */
-  WaitMeter(Vec2[] places) {
+  public WaitMeter(Vec2[] places) {
     this.places = places.clone();
     since = new long[places.length];
     unnamedSince = new long[places.length];
@@ -31,7 +31,7 @@ final class WaitMeter {
   }
 
   /** The robot has a new goal. */
-  void setGoal(int robot, long nanos) {
+  public void setGoal(int robot, long nanos) {
     begin(robot, nanos);
     reasons[robot] = null;
   }
@@ -47,12 +47,12 @@ final class WaitMeter {
    *
    * @param reason null: nothing
    */
-  void setReason(int robot, @Nullable String reason) {
+  public void setReason(int robot, @Nullable String reason) {
     reasons[robot] = reason;
   }
 
   /** Where the robot is, map frame. */
-  void observe(int robot, Vec2 at, long nanos) {
+  public void observe(int robot, Vec2 at, long nanos) {
     if (places[robot].distanceTo(at) > MOVED) {
       places[robot] = at;
       begin(robot, nanos);
@@ -70,22 +70,22 @@ final class WaitMeter {
   }
 
   /** Seconds. */
-  double longest() {
+  public double longest() {
     return longest / 1e9;
   }
 
   /** Of those in which nothing was said why; seconds. */
-  double longestUnnamed() {
+  public double longestUnnamed() {
     return longestUnnamed / 1e9;
   }
 
   /** The index of the robot that waited longest. */
-  int longestRobot() {
+  public int longestRobot() {
     return longestRobot;
   }
 
   /** What was said last of that wait; null: nothing. */
-  @Nullable String longestReason() {
+  public @Nullable String longestReason() {
     return longestReason;
   }
 }

@@ -1,10 +1,10 @@
-package org.toqa.app.bench;
+package org.toqa.app.bench.meter;
 
 import org.toqa.app.command.Arguments;
 import picocli.CommandLine.Option;
 
 /** {@code --seconds}: how long a bench measures. */
-final class MeasuredSeconds {
+public final class MeasuredSeconds {
   @Option(
       names = "--seconds",
       defaultValue = "60",
@@ -15,12 +15,12 @@ final class MeasuredSeconds {
   /**
    * @throws picocli.CommandLine.ParameterException when it is out of its range
    */
-  void check(Arguments arguments) {
+  public void check(Arguments arguments) {
     arguments.requireBetween("--seconds", seconds, 1, 3600);
   }
 
   /** Seconds of real time. */
-  int value() {
+  public int value() {
     return seconds;
   }
 }

@@ -1,4 +1,4 @@
-package org.toqa.app.bench;
+package org.toqa.app.bench.meter;
 
 import java.util.Arrays;
 import java.util.HashSet;
@@ -13,7 +13,7 @@ import org.toqa.grid.OccupancyGrid;
  * touch, or one and a wall, and how near they came. It knows shapes and walls alone. As {@link
  * org.toqa.sim.ClearanceJudge}, but at a cost linear in the discs that moved.
  */
-final class ContactMeter {
+public final class ContactMeter {
   /** Metres; pairs farther apart than this, and walls, are not looked at. */
   private static final double FARTHEST = 2;
 
@@ -43,7 +43,7 @@ final class ContactMeter {
    * @param walls cells that are not free, and all that is outside the grid
    * @param radius metres
    */
-  ContactMeter(OccupancyGrid walls, int discs, double radius) {
+  public ContactMeter(OccupancyGrid walls, int discs, double radius) {
     this.walls = walls;
     this.radius = radius;
     side = 2 * radius + FARTHEST;
@@ -60,7 +60,7 @@ final class ContactMeter {
   }
 
   /** The disc is there now, map frame; to be said of all before {@link #judge} is asked. */
-  void place(int disc, Vec2 at) {
+  public void place(int disc, Vec2 at) {
     x[disc] = at.x();
     y[disc] = at.y();
     int now = squareAt(at.x(), at.y());
@@ -94,7 +94,7 @@ final class ContactMeter {
   }
 
   /** Looks at one that has moved, and all near it. */
-  void judge(int disc) {
+  public void judge(int disc) {
     for (int row = -1; row <= 1; row++) {
       for (int column = -1; column <= 1; column++) {
         int index = square[disc] + row * columns + column;
@@ -150,22 +150,22 @@ final class ContactMeter {
   }
 
   /** How often two discs came to touch. */
-  int contacts() {
+  public int contacts() {
     return contacts;
   }
 
   /** How often a disc came to touch a wall. */
-  int wallContacts() {
+  public int wallContacts() {
     return wallContacts;
   }
 
   /** Metres between the edges of the two that came nearest; null: none came near. */
-  @Nullable Double nearest() {
+  public @Nullable Double nearest() {
     return nearest < FARTHEST ? nearest : null;
   }
 
   /** Metres between an edge and a wall, likewise. */
-  @Nullable Double nearestWall() {
+  public @Nullable Double nearestWall() {
     return nearestWall < FARTHEST ? nearestWall : null;
   }
 }

@@ -1,4 +1,4 @@
-package org.toqa.app.bench;
+package org.toqa.app.bench.meter;
 
 import java.time.Duration;
 import java.time.Instant;
@@ -9,7 +9,7 @@ import java.util.concurrent.atomic.LongAccumulator;
  * Counts latencies by tenths of a millisecond: millions of them take no more room than one.
  * Thread-safe.
  */
-final class LatencyHistogram {
+public final class LatencyHistogram {
   private static final int BINS_A_MILLISECOND = 10;
 
   /** The last one counts all that took longer, too. */
@@ -19,14 +19,14 @@ final class LatencyHistogram {
   private final LongAccumulator maxNanos = new LongAccumulator(Math::max, 0);
 
   /** One that cannot be below nothing, but that clocks are read one after the other. */
-  void add(Instant from, Instant to) {
+  public void add(Instant from, Instant to) {
     long nanos = Math.max(0, Duration.between(from, to).toNanos());
     maxNanos.accumulate(nanos);
     counts.incrementAndGet((int) Math.min(BINS - 1, nanos * BINS_A_MILLISECOND / 1_000_000));
   }
 
   /** Discards what was counted. */
-  void reset() {
+  public void reset() {
     for (int bin = 0; bin < BINS; bin++) {
       counts.set(bin, 0);
     }
@@ -34,7 +34,7 @@ final class LatencyHistogram {
   }
 
   /** Percentiles are the upper ends of their tenths; never more than the longest. */
-  LatencySummary summary() {
+  public LatencySummary summary() {
     long total = 0;
     for (int bin = 0; bin < BINS; bin++) {
       total += counts.get(bin);

@@ -1,4 +1,4 @@
-package org.toqa.app.bench;
+package org.toqa.app.bench.meter;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
