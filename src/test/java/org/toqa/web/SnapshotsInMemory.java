@@ -108,6 +108,20 @@ public abstract class SnapshotsInMemory implements SnapshotFeed {
     }
   }
 
+  Answer<Optional<String>> chooseAllocator(String floor, Optional<String> allocator) {
+    lock.lock();
+    try {
+      if (!floor.equals("hall")) {
+        return new Answer.Unknown<>(Phrase.NO_SUCH_FLOOR.with(floor));
+      }
+      allocators = allocator.map(word -> Map.of(floor, word)).orElse(Map.of());
+      publish(latest.robots());
+      return new Answer.Accepted<>(allocator);
+    } finally {
+      lock.unlock();
+    }
+  }
+
   CompletionStage<Answer<Optional<Hold>>> setFloorHold(String floor, @Nullable Hold next) {
     lock.lock();
     try {

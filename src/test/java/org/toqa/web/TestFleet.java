@@ -3,7 +3,6 @@ package org.toqa.web;
 import java.time.InstantSource;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.CompletableFuture;
@@ -184,9 +183,7 @@ public final class TestFleet extends TasksInMemory {
   @Override
   public CompletionStage<Answer<Optional<String>>> chooseAllocator(
       String floor, Optional<String> allocator, String user) {
-    allocators = allocator.map(word -> Map.of(floor, word)).orElse(Map.of());
-    publish(latest.robots());
-    return CompletableFuture.completedFuture(new Answer.Accepted<>(allocator));
+    return CompletableFuture.completedFuture(chooseAllocator(floor, allocator));
   }
 
   private static RobotView standing(RobotView known, RobotState state, @Nullable Pose pose) {
