@@ -1,6 +1,7 @@
 package org.toqa.agent.chassis;
 
 import java.util.List;
+import org.toqa.agent.drive.MotionLimits;
 import org.toqa.agent.drive.PaceLimits;
 import org.toqa.geometry.Pose;
 import org.toqa.geometry.Twist;
@@ -12,12 +13,22 @@ public sealed interface ChassisCommand {
   /** Stand still. */
   ChassisCommand STANDSTILL = new MoveAt(Twist.ZERO);
 
+  /** The same, no faster than that; the segments of a path were checked before. */
+  default ChassisCommand within(MotionLimits limits) {
+    return this;
+  }
+
   /**
    * Move like this, until the next command.
    *
    * @param velocity in the robot's frame
    */
-  record MoveAt(Twist velocity) implements ChassisCommand {}
+  record MoveAt(Twist velocity) implements ChassisCommand {
+    @Override
+    public ChassisCommand within(MotionLimits limits) {
+      return new MoveAt(limits.clampedTwist(velocity));
+    }
+  }
 
   /**
    * Drive along segments, one after the other, by the body's own odometry, to a standstill at the

@@ -10,7 +10,6 @@ import java.util.function.Function;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 import org.toqa.agent.chassis.ChassisCommand;
-import org.toqa.agent.chassis.ChassisCommand.MoveAt;
 import org.toqa.agent.chassis.ChassisReading;
 import org.toqa.agent.config.AgentConfig;
 import org.toqa.agent.drive.ObstacleAvoider;
@@ -260,13 +259,7 @@ public final class RobotControl {
     Optional<DriveRun> drive = activity.drive();
     drive.ifPresent(this::updateProgress);
     boolean hasEnded = drive.isPresent() && activity.drive().isEmpty();
-    return hasEnded || hasBodyFault() ? ChassisCommand.STANDSTILL : withinLimits(command);
-  }
-
-  private ChassisCommand withinLimits(ChassisCommand command) {
-    return command instanceof MoveAt(Twist velocity)
-        ? new MoveAt(config.limits().clampedTwist(velocity))
-        : command;
+    return hasEnded || hasBodyFault() ? ChassisCommand.STANDSTILL : command.within(config.limits());
   }
 
   private boolean hasBodyFault() {
