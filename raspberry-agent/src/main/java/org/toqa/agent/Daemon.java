@@ -59,7 +59,7 @@ public final class Daemon implements AutoCloseable {
   private final PeerConnections.Handler messageHandler = new MessageHandler();
 
   private int ticks;
-  private ChassisCommand command = ChassisCommand.STANDSTILL;
+  private ChassisCommand command = ChassisCommand.MoveAt.STANDSTILL;
   private volatile long nanos; // the endpoint's threads read it
 
   /**
@@ -146,7 +146,7 @@ public final class Daemon implements AutoCloseable {
           new RobotControl(
               config,
               new Journal(folder.path()),
-              chassis.exchange(ChassisCommand.STANDSTILL, nanos),
+              chassis.exchange(ChassisCommand.MoveAt.STANDSTILL, nanos),
               endpoint.tls().isPresent(),
               chassis::clearStops);
     } catch (IOException e) {
@@ -194,7 +194,7 @@ public final class Daemon implements AutoCloseable {
   /** Whether it neither drives nor has to do with a formation, and would not miss some ticks. */
   boolean isAtRest() {
     return ticks == SelfTest.TICKS
-        && command.equals(ChassisCommand.STANDSTILL)
+        && command.equals(ChassisCommand.MoveAt.STANDSTILL)
         && !connections.hasLeader()
         && broadcasts.isEmpty()
         && control.isAtRest();
@@ -253,7 +253,7 @@ public final class Daemon implements AutoCloseable {
     endpoint.close();
     broadcasts.close();
     connections.close();
-    chassis.exchange(ChassisCommand.STANDSTILL, nanos);
+    chassis.exchange(ChassisCommand.MoveAt.STANDSTILL, nanos);
     chassis.close();
     folder.close();
     log.info("{}: ended.", config.name());

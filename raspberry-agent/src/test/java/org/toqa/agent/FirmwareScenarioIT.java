@@ -137,7 +137,7 @@ class FirmwareScenarioIT {
         @Override
         public ChassisReading exchange(ChassisCommand command, long nanos) {
           paths += command instanceof DrivePath ? 1 : 0;
-          boolean stands = command.equals(ChassisCommand.STANDSTILL);
+          boolean stands = command.equals(ChassisCommand.MoveAt.STANDSTILL);
           velocities += command instanceof MoveAt && !stands ? 1 : 0;
           return watched.exchange(command, nanos);
         }

@@ -33,7 +33,7 @@ final class StoppingChassis implements Chassis {
   @Override
   public ChassisReading exchange(ChassisCommand command, long nanos) {
     ChassisReading now =
-        body.exchange(stops.isEmpty() ? command : ChassisCommand.STANDSTILL, nanos);
+        body.exchange(stops.isEmpty() ? command : ChassisCommand.MoveAt.STANDSTILL, nanos);
     return now.withFaults(
         Stream.concat(
                 now.faults().stream(), stops.stream().map(code -> new Fault(code, code, true)))

@@ -43,10 +43,15 @@ final class TaskPreviewer {
   CompletableFuture<TaskPreview> preview(
       TransportTask task, AllocationProblem problem, Instant now) {
     return check
-        .run(() -> decider.inquire(task.floor(), problem, Runnable::run, now))
-        .thenCompose(decision -> decision)
+        .run(() -> new Inquiry(decider.inquire(task.floor(), problem, Runnable::run, now)))
+        .thenCompose(Inquiry::decision)
         .thenCompose(decision -> preview(task, problem, decision));
   }
+
+  /**
+   * @param decision once robots have answered, where they are asked
+   */
+  private record Inquiry(CompletableFuture<Decision> decision) {}
 
   private CompletableFuture<TaskPreview> preview(
       TransportTask task, AllocationProblem problem, Decision decision) {

@@ -10,9 +10,6 @@ import org.toqa.motion.Segment;
 /** What a body is told to do; each command takes the place of the one before. */
 public sealed interface ChassisCommand {
 
-  /** Stand still. */
-  ChassisCommand STANDSTILL = new MoveAt(Twist.ZERO);
-
   /** The same, no faster than that; the segments of a path were checked before. */
   default ChassisCommand within(MotionLimits limits) {
     return this;
@@ -24,6 +21,9 @@ public sealed interface ChassisCommand {
    * @param velocity in the robot's frame
    */
   record MoveAt(Twist velocity) implements ChassisCommand {
+    /** Stand still. */
+    public static final MoveAt STANDSTILL = new MoveAt(Twist.ZERO);
+
     @Override
     public ChassisCommand within(MotionLimits limits) {
       return new MoveAt(limits.clampedTwist(velocity));

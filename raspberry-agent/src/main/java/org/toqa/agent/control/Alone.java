@@ -19,7 +19,7 @@ record Alone(Optional<DriveRun> drive) implements Activity {
 
   @Override
   public ChassisCommand steer(Tick tick) {
-    return drive.map(run -> run.steer(tick)).orElse(ChassisCommand.STANDSTILL);
+    return drive.map(run -> run.steer(tick)).orElse(ChassisCommand.MoveAt.STANDSTILL);
   }
 
   @Override

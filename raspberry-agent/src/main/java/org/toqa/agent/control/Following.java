@@ -32,7 +32,7 @@ record Following(FormationFollower follower) implements Activity {
   @Override
   public ChassisCommand steer(Tick tick) {
     Twist velocity = follower.steer(tick.pose(), tick.now());
-    return tick.canMove() ? new MoveAt(velocity) : ChassisCommand.STANDSTILL;
+    return tick.canMove() ? new MoveAt(velocity) : ChassisCommand.MoveAt.STANDSTILL;
   }
 
   @Override

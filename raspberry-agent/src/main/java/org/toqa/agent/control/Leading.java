@@ -20,7 +20,7 @@ record Leading(FormationLeader leader, Optional<DriveRun> drive) implements Acti
   public ChassisCommand steer(Tick tick) {
     return drive
         .map(run -> run.steerAsLeader(tick, leader.paceLimits(tick.now()), leader.pace(tick.now())))
-        .orElse(ChassisCommand.STANDSTILL);
+        .orElse(ChassisCommand.MoveAt.STANDSTILL);
   }
 
   /** Whether it stops for a follower's sake, and still moves. */

@@ -259,7 +259,9 @@ public final class RobotControl {
     Optional<DriveRun> drive = activity.drive();
     drive.ifPresent(this::updateProgress);
     boolean hasEnded = drive.isPresent() && activity.drive().isEmpty();
-    return hasEnded || hasBodyFault() ? ChassisCommand.STANDSTILL : command.within(config.limits());
+    return hasEnded || hasBodyFault()
+        ? ChassisCommand.MoveAt.STANDSTILL
+        : command.within(config.limits());
   }
 
   private boolean hasBodyFault() {

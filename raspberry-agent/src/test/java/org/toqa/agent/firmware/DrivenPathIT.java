@@ -149,7 +149,7 @@ class DrivenPathIT {
     Chassis chassis =
         new FirmwareChassis(transport, "r1", null, true, FirmwareSettings.DEFAULT, nanos);
     for (int i = 0; i < 20; i++) {
-      chassis.exchange(ChassisCommand.STANDSTILL, nanos += TICK);
+      chassis.exchange(ChassisCommand.MoveAt.STANDSTILL, nanos += TICK);
     }
     return chassis;
   }
