@@ -19,8 +19,8 @@ final class LanePoints {
   /** A point is beside the middle by at most so much, in cells. */
   private static final double MOST = 0.2;
 
-  /** Who is beside the middle of its goal's cell by no more than that, in cells, is at its goal. */
-  private static final double MOST_AT_GOAL = 0.18;
+  /** Who is beside the middle of its goal's cell by no more than that, metres, is at its goal. */
+  private static final double MOST_AT_GOAL = 0.025;
 
   /** Radians; lines that bend less are straight. */
   private static final double STRAIGHT = 1e-3;
@@ -131,10 +131,9 @@ final class LanePoints {
     Cell cell = cells.cellAt(goal);
     Vec2 centre = cells.centre(cell);
     Vec2 aside = of(cell).minus(centre);
-    double most = MOST_AT_GOAL * cells.resolution();
-    return robot.requiredHeadingAt(goal) != null
+    return robot.requiredHeadingAt(goal) != null || aside.norm() == 0
         ? centre
-        : centre.plus(aside.times(aside.norm() <= most ? 1 : most / aside.norm()));
+        : centre.plus(aside.times(Math.min(1, MOST_AT_GOAL / aside.norm())));
   }
 
   private Vec2 endOf(List<Cell> path, @Nullable Vec2 goal) {

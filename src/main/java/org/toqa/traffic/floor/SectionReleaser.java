@@ -18,9 +18,6 @@ import org.toqa.traffic.floor.ReservedPath.Dependency;
 final class SectionReleaser {
   private static final Duration SPLIT_CORNER_AFTER = Duration.ofMillis(500);
 
-  /** Who has been stopped between two cells for so long need not go on to the next. */
-  private static final Duration TURN_BACK_AFTER = Duration.ofSeconds(20);
-
   /** Released ahead of a robot: at least so many seconds of driving. */
   private static final double SECONDS_AHEAD = 3;
 
@@ -105,8 +102,8 @@ final class SectionReleaser {
   }
 
   /**
-   * Whether it was stopped between two cells by one that cannot go on, or for long by any: then it
-   * is not bound to go on to the next cell, but planned from where it is.
+   * Whether it was stopped between two cells by one that cannot go on: then it is not bound to go
+   * on to the next cell, but planned from where it is.
    */
   private boolean isBarredHalfway(TrafficRobot robot, Instant now) {
     Drive drive = robot.drive;
@@ -115,8 +112,7 @@ final class SectionReleaser {
       return false;
     }
     TrafficRobot other = reason.robot() == null ? null : robots.get(reason.robot());
-    boolean isBarred = other != null && stays(other);
-    return isBarred || robot.waiting.blockedSince(now).plus(TURN_BACK_AFTER).isBefore(now);
+    return other != null && stays(other);
   }
 
   private static boolean stays(TrafficRobot robot) {
