@@ -110,7 +110,7 @@
                   <t:csrf/>
                   <fieldset>
                     <c:forTokens items="configured,zones,contract-net,optimal" delims="," var="word">
-                      <label><input type="radio" name="allocator" value="${word == 'configured' ? '' : word}" ${word == (empty allocators[view.name] ? 'configured' : allocators[view.name]) ? 'checked' : ''}> <fmt:message key="floor.allocator.${word}"/><c:if test="${word != 'configured'}"><br><small class="faint"><fmt:message key="floor.allocator.${word}.figures"/></small></c:if></label>
+                      <label><input type="radio" name="allocator" value="${word == 'configured' ? '' : word}" ${word == (empty allocators[view.name] ? 'configured' : allocators[view.name]) ? 'checked' : ''}> <fmt:message key="floor.allocator.${word}"/><c:if test="${word != 'configured'}"><br><small class="faint"><fmt:message key="floor.allocatorFigures.${word}"/></small></c:if></label>
                     </c:forTokens>
                   </fieldset>
                   <p class="faint"><fmt:message key="floor.allocator.measured"/></p>

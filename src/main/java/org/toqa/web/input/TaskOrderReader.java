@@ -4,6 +4,7 @@ import java.time.Instant;
 import java.time.temporal.ChronoUnit;
 import java.util.Collections;
 import java.util.List;
+import java.util.function.Supplier;
 import java.util.function.UnaryOperator;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
@@ -47,7 +48,7 @@ public final class TaskOrderReader {
         deadline -> fields.rules().deadline(fields.path("deadline"), deadline);
     if (!fields.has("stops")) {
       return pieces(
-          fields, read(fields, fields.place("start"), fields.place("goal"), deadlineRule));
+          fields, read(fields, () -> fields.place("start"), () -> fields.place("goal"), deadlineRule));
     }
     List<Where> stops = fields.places("stops", PartsOrder.MAX_STOPS);
     if (stops.size() < 2) {
@@ -58,7 +59,7 @@ public final class TaskOrderReader {
       fields.errors().add(fields.path("pieces"), fields.texts().get("error.piecesOrStops"));
     }
     Where start = stops.isEmpty() ? NOWHERE : stops.getFirst();
-    return legs(fields, read(fields, start, start, deadlineRule), stops);
+    return legs(fields, read(fields, () -> start, () -> start, deadlineRule), stops);
   }
 
   /** The same that a person enters, who says start and goal, and further stops if he wants any. */
@@ -66,8 +67,8 @@ public final class TaskOrderReader {
     TaskOrder order =
         read(
             fields,
-            fields.place("start"),
-            fields.place("goal"),
+            () -> fields.place("start"),
+            () -> fields.place("goal"),
             deadline -> fields.rules().futureDeadline(fields.path("deadline"), deadline, now));
     List<Where> further = fields.places("stop", PartsOrder.MAX_STOPS - 2);
     PartsOrder pieces = pieces(fields, order);
@@ -103,19 +104,23 @@ public final class TaskOrderReader {
   }
 
   private static TaskOrder read(Fields fields, UnaryOperator<@Nullable Instant> deadlineRule) {
-    TaskOrder order = read(fields, fields.place("start"), fields.place("goal"), deadlineRule);
+    TaskOrder order = read(fields, () -> fields.place("start"), () -> fields.place("goal"), deadlineRule);
     fields.refuseUnknown();
     return order;
   }
 
+  /** The sentences are in the order of the columns of a table. */
   private static TaskOrder read(
-      Fields fields, Where start, Where goal, UnaryOperator<@Nullable Instant> deadlineRule) {
+      Fields fields,
+      Supplier<Where> start,
+      Supplier<Where> goal,
+      UnaryOperator<@Nullable Instant> deadlineRule) {
     InputRules rules = fields.rules();
     return new TaskOrder(
         rules.taskName(fields.path("name"), fields.text("name")),
         rules.load(fields.path("load"), fields.number("load")),
-        start,
-        goal,
+        start.get(),
+        goal.get(),
         fields.text("floor"),
         rules.priority(fields.path("priority"), fields.number("priority")),
         deadlineRule.apply(fields.moment("deadline", "error.deadline")),
