@@ -48,7 +48,8 @@ public final class TaskOrderReader {
         deadline -> fields.rules().deadline(fields.path("deadline"), deadline);
     if (!fields.has("stops")) {
       return pieces(
-          fields, read(fields, () -> fields.place("start"), () -> fields.place("goal"), deadlineRule));
+          fields,
+          read(fields, () -> fields.place("start"), () -> fields.place("goal"), deadlineRule));
     }
     List<Where> stops = fields.places("stops", PartsOrder.MAX_STOPS);
     if (stops.size() < 2) {
@@ -104,7 +105,8 @@ public final class TaskOrderReader {
   }
 
   private static TaskOrder read(Fields fields, UnaryOperator<@Nullable Instant> deadlineRule) {
-    TaskOrder order = read(fields, () -> fields.place("start"), () -> fields.place("goal"), deadlineRule);
+    TaskOrder order =
+        read(fields, () -> fields.place("start"), () -> fields.place("goal"), deadlineRule);
     fields.refuseUnknown();
     return order;
   }
