@@ -172,19 +172,21 @@ class NegotiationTest {
     assertTrue(net.lines.getLast().endsWith("r1, r2 trade tasks and save 0.4 kJ together"));
   }
 
+  /** Each of three robots is 20 m from its own task, and beside that of the next one. */
+  private static AllocationProblem ring() {
+    return situation(
+        NOON,
+        List.of(),
+        List.of(
+            new GivenTask(job(1, 1, 30), "r1"),
+            new GivenTask(job(2, 1, 50), "r2"),
+            new GivenTask(job(3, 1, 10), "r3")),
+        List.of(busy("r1", 5, 10, 1), busy("r2", 5, 30, 2), busy("r3", 5, 50, 3)));
+  }
+
   @Test
   void threeRobotsPassTheirTasksOnRoundARing() {
-    // each is 20 m from its own task, and beside that of the next one
-    List<Decision> decisions =
-        allocate(
-            situation(
-                NOON,
-                List.of(),
-                List.of(
-                    new GivenTask(job(1, 1, 30), "r1"),
-                    new GivenTask(job(2, 1, 50), "r2"),
-                    new GivenTask(job(3, 1, 10), "r3")),
-                List.of(busy("r1", 5, 10, 1), busy("r2", 5, 30, 2), busy("r3", 5, 50, 3))));
+    List<Decision> decisions = allocate(ring());
 
     assertEquals(
         List.of(List.of("r2"), List.of("r3"), List.of("r1")),
@@ -218,16 +220,7 @@ class NegotiationTest {
                     ? new Confirmation("r3", 1, p.deal(), Sentence.verbatim("does not want to"))
                     : Bidder.answer(message, own)));
 
-    List<Decision> decisions =
-        allocate(
-            situation(
-                NOON,
-                List.of(),
-                List.of(
-                    new GivenTask(job(1, 1, 30), "r1"),
-                    new GivenTask(job(2, 1, 50), "r2"),
-                    new GivenTask(job(3, 1, 10), "r3")),
-                List.of(busy("r1", 5, 10, 1), busy("r2", 5, 30, 2), busy("r3", 5, 50, 3))));
+    List<Decision> decisions = allocate(ring());
 
     assertFalse(decisions.stream().anyMatch(d -> Outcome.robots(d).contains("r3")));
     assertTrue(net.lines.contains("3: A trade fell through: r3 does not want to"));

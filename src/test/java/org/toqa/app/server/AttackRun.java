@@ -41,6 +41,7 @@ final class AttackRun implements AutoCloseable {
   private final GreenMail mail;
   private final Map<String, String> places = new LinkedHashMap<>();
   private final List<String> faults = new ArrayList<>();
+  private final List<Long> heldTasks = new ArrayList<>();
   private final AttackedServer server;
   private final TestClient manager;
   private final String csrf;
@@ -137,9 +138,7 @@ final class AttackRun implements AutoCloseable {
 
   /** A task that is held, and no other, as its page says. */
   void holdTask() throws InterruptedException {
-    if (places.containsKey("held")) {
-      tasks.cancel(Long.parseLong(places.get("held")));
-    }
+    freeRobots();
     HttpResponse<String> answer = manager.postJson("api/v1/tasks", ORDER);
     assertEquals(201, answer.statusCode(), answer.body());
     String held = JSON.readTree(answer.body()).get("id").asString();
@@ -150,7 +149,14 @@ final class AttackRun implements AutoCloseable {
       TimeUnit.MILLISECONDS.sleep(10);
     }
     places.put("held", held);
+    heldTasks.add(Long.parseLong(held));
     holdOrder();
+  }
+
+  /** What is held may have a robot already, which does nothing else then. */
+  void freeRobots() {
+    heldTasks.forEach(tasks::cancel);
+    heldTasks.clear();
   }
 
   /** An order of which all is held, so that none of it is on board. */
@@ -159,8 +165,9 @@ final class AttackRun implements AutoCloseable {
     assertEquals(201, answer.statusCode(), answer.body());
     JsonNode order = JSON.readTree(answer.body());
     for (JsonNode task : order.get("tasks")) {
-      String path = "api/v1/tasks/" + task.get("id").asString() + "/hold";
-      assertEquals(200, manager.postJson(path, "").statusCode());
+      long held = task.get("id").asLong();
+      assertEquals(200, manager.postJson("api/v1/tasks/" + held + "/hold", "").statusCode());
+      heldTasks.add(held);
     }
     places.put("order", order.get("id").asString());
   }

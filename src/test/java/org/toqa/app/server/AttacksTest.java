@@ -33,6 +33,7 @@ class AttacksTest {
   @AfterAll
   void stop() throws Exception {
     try (AttackRun ended = run) {
+      ended.freeRobots();
       ended.tasks().awaitDone();
       Tally.add("attack strings", ended.tried());
     }

@@ -61,11 +61,18 @@ final class CarriedTasks {
     long end = System.nanoTime() + LIMIT_NANOS;
     int before = done;
     while (done == before) {
-      assertTrue(System.nanoTime() < end, client.get("api/v1/tasks/" + task).body());
+      assertTrue(System.nanoTime() < end, this::situation);
       goOn();
       TimeUnit.MILLISECONDS.sleep(50);
     }
     return done;
+  }
+
+  /** What keeps it: itself, all robots, and what they work on. */
+  private String situation() {
+    return client.get("api/v1/tasks/" + task).body()
+        + client.get("api/v1/robots").body()
+        + client.get("api/v1/tasks?limit=10").body();
   }
 
   /**
