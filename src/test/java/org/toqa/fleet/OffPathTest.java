@@ -21,6 +21,7 @@ class OffPathTest extends HallFleetTest {
 
     robot.shove(new Vec2(0, -0.2));
     Vec2 aside = robot.position();
+    until(view -> String.valueOf(task(view, task).waitingFor()).contains("off its path"));
     until(view -> task(view, task).state() == TaskState.DONE);
 
     List<?> after = robot.obeyed().subList(before, robot.obeyed().size());

@@ -136,7 +136,7 @@ final class FloorReporter {
         .or(() -> Optional.ofNullable(robot.drive.waitReason()))
         .or(
             () ->
-                Optional.ofNullable(robot.groupStopReason())
+                Optional.ofNullable(robot.reportedStopReason())
                     .map(said -> said.replaceFirst("\\.$", "")) // others may follow it
                     .map(Sentence::verbatim));
   }

@@ -2,6 +2,7 @@ package org.toqa.fleet.floor;
 
 import java.time.Instant;
 import java.util.Objects;
+import java.util.Set;
 import org.apache.pekko.actor.typed.ActorRef;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
@@ -12,6 +13,7 @@ import org.toqa.fleet.RobotRecord;
 import org.toqa.fleet.RobotState;
 import org.toqa.fleet.RobotView;
 import org.toqa.fleet.robot.RobotMessage;
+import org.toqa.link.message.AgentMessage.Fault;
 import org.toqa.link.message.AgentMessage.Mode;
 import org.toqa.link.message.AgentMessage.Role;
 import org.toqa.link.trust.Fingerprint;
@@ -26,6 +28,9 @@ import org.toqa.wording.Sentence;
  */
 final class FloorRobot {
   private static final Logger log = LoggerFactory.getLogger(FloorRobot.class);
+
+  /** The codes by which a robot reports that it stands, and will go on by itself. */
+  private static final Set<String> STOPS_ON_PATH = Set.of("OBSTACLE", "OFF_WAY");
 
   final ActorRef<RobotMessage> agent;
 
@@ -222,12 +227,18 @@ final class FloorRobot {
     return known == null ? null : known.hex();
   }
 
-  /** Why its group has stopped, as the robot reports it; null where it has not. */
-  @Nullable String groupStopReason() {
+  /** Why it has stopped on its path, or its group has, as it reports it; null where it drives. */
+  @Nullable String reportedStopReason() {
     LastReport report = reported.report();
-    return report.role() == Role.ALONE || report.errors().isEmpty()
-        ? null
-        : report.errors().getFirst().text();
+    boolean isAlone = report.role() == Role.ALONE;
+    if (isAlone && (report.mode() != Mode.DRIVING || report.moving())) {
+      return null;
+    }
+    return report.errors().stream()
+        .filter(fault -> !isAlone || STOPS_ON_PATH.contains(fault.code()))
+        .map(Fault::text)
+        .findFirst()
+        .orElse(null);
   }
 
   private Sentence workSentence(DriveGoal work) {
@@ -235,7 +246,7 @@ final class FloorRobot {
     if (waits != null) {
       return waits;
     }
-    String reason = groupStopReason();
+    String reason = reportedStopReason();
     if (reason != null) {
       return Sentence.verbatim(reason);
     }
