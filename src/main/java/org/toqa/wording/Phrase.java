@@ -203,6 +203,7 @@ public enum Phrase {
 
   // What ails the fleet or a floor
   DATABASE_AWAY,
+  NOT_STORED_YET,
   PART_FAILS,
   PART_ENDED,
   MANAGER_PART,

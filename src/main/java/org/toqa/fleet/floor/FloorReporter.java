@@ -30,6 +30,9 @@ final class FloorReporter {
   /** A plan that takes so long is likely never to end. */
   private static final Duration PLAN_OVERDUE = Duration.ofSeconds(30);
 
+  /** What the store takes for one change while nothing ails it, and more. */
+  private static final Duration STORED_WITHIN = Duration.ofSeconds(2);
+
   private final FloorState state;
   private final FloorWatch watch;
   private final ActorRef<FloorEvent> manager;
@@ -105,7 +108,23 @@ final class FloorReporter {
   TaskView view(OpenMissions.DatedMission dated) {
     Mission mission = dated.mission();
     return TaskView.of(
-        mission, mission.state().isEnded() ? null : waitReason(mission), dated.changedAt());
+        mission, mission.state().isEnded() ? null : waitReason(dated), dated.changedAt());
+  }
+
+  private @Nullable Sentence waitReason(OpenMissions.DatedMission dated) {
+    Sentence ofRobots = waitReason(dated.mission());
+    return ofRobots == null && isStoreBehind(dated) ? Phrase.NOT_STORED_YET.with() : ofRobots;
+  }
+
+  /** Whether its robots wait until what it became is stored, and have done so for a while. */
+  private boolean isStoreBehind(OpenMissions.DatedMission dated) {
+    Mission mission = dated.mission();
+    return dated.changedAt().plus(STORED_WITHIN).isBefore(state.clock.instant())
+        && mission.robots().stream()
+            .map(state.missions::storedMissionOf)
+            .flatMap(Optional::stream)
+            .anyMatch(
+                stored -> stored.id() == mission.id() && stored.state() != mission.state());
   }
 
   private @Nullable Sentence waitReason(Mission mission) {
