@@ -11,6 +11,7 @@ import org.toqa.geometry.Pose;
 import org.toqa.mission.Mission;
 import org.toqa.mission.Phase;
 import org.toqa.mission.TransportTask;
+import org.toqa.motion.Segment;
 import org.toqa.motion.Trajectory;
 import org.toqa.persistence.StoreException;
 
@@ -23,7 +24,7 @@ import org.toqa.persistence.StoreException;
  *   <li>From then on every change is written here before the command that follows from it is sent.
  * </ol>
  *
- * Each call is one transaction: when it returns, a crash loses nothing of it; when it throws {@link
+ * Each call is one transaction, also those within {@link #inOneTransaction} together: when it returns, a crash loses nothing of it; when it throws {@link
  * StoreException}, it has happened as a whole or not at all, and nobody knows which. It may then be
  * repeated: what was stored twice is stored once. Calls may wait; they come from virtual threads.
  */
@@ -146,6 +147,22 @@ public interface FleetStore {
 
   /** Replaces the robot's last drive, and remembers its sequence number. */
   void saveDrive(String robot, StoredDrive drive);
+
+  /**
+   * Replaces the end of the robot's last drive; what a drive before that was to be does not count.
+   *
+   * @param seq of the drive
+   * @param from how many segments of it stay
+   * @param segments that follow them, instead of those that followed
+   * @throws StoreException it is refused where that drive is not stored
+   */
+  void saveDriveEnd(String robot, long seq, int from, List<Segment> segments);
+
+  /**
+   * Makes one transaction of all that the work asks of this store on the thread that calls it. What
+   * the work throws comes out of it, and nothing is stored then.
+   */
+  void inOneTransaction(Runnable work);
 
   void addEvents(List<EventRecord> events);
 

@@ -6,10 +6,12 @@ import com.zaxxer.hikari.metrics.micrometer.MicrometerMetricsTrackerFactory;
 import io.micrometer.core.instrument.MeterRegistry;
 import java.io.IOException;
 import java.io.UncheckedIOException;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.sql.SQLException;
 import java.time.Duration;
 import java.util.List;
+import java.util.OptionalLong;
 import javax.sql.DataSource;
 import org.flywaydb.core.Flyway;
 import org.h2.api.ErrorCode;
@@ -230,13 +232,33 @@ public final class Database implements AutoCloseable {
     return readers.jdbi().withHandle(h -> isMySql ? DatabaseSize.ofMySql(h) : sizeOfH2File(h));
   }
 
+  /**
+   * Bytes of its file, as long as it is open; empty: it is none of this process.
+   *
+   * @throws UncheckedIOException its file cannot be read
+   */
+  public OptionalLong fileSize() {
+    if (compactor == null) {
+      return OptionalLong.empty();
+    }
+    try {
+      return OptionalLong.of(Files.size(readers.jdbi().withHandle(Database::h2File)));
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
+    }
+  }
+
+  private static Path h2File(Handle h) {
+    return Path.of(
+        h.createQuery("select database_path()").mapTo(String.class).one() + ".mv.db");
+  }
+
   private DatabaseSize sizeOfH2File(Handle h) {
     if (compactor == null) {
       throw new IllegalStateException("This database is no file of this process.");
     }
-    String file = h.createQuery("select database_path()").mapTo(String.class).one();
     try {
-      return DatabaseSize.ofH2File(Path.of(file + ".mv.db"));
+      return DatabaseSize.ofH2File(h2File(h));
     } catch (IOException e) {
       throw new UncheckedIOException(e);
     }

@@ -58,6 +58,7 @@ final class DatabaseTypes {
     register(jdbi, RobotRecord.class);
     register(jdbi, Hold.class);
     register(jdbi, StoredDrive.class);
+    register(jdbi, DriveTable.End.class);
     register(jdbi, RobotTable.StoredRobotRow.class);
     register(jdbi, TaskRow.class);
     register(jdbi, JdbiOrderArchive.OrderRow.class);

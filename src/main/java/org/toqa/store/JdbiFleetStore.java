@@ -23,6 +23,7 @@ import org.toqa.fleet.TaskArchive;
 import org.toqa.fleet.TaskView;
 import org.toqa.geometry.Pose;
 import org.toqa.mission.TransportTask;
+import org.toqa.motion.Segment;
 
 /** The fleet's store on H2 and on MySQL: robots, tasks, who executes what, drives and events. */
 public final class JdbiFleetStore implements FleetStore, TaskArchive {
@@ -111,12 +112,22 @@ public final class JdbiFleetStore implements FleetStore, TaskArchive {
 
   @Override
   public Optional<StoredDrive> drive(String robot) {
-    return sql.withHandle(h -> RobotTable.drive(h, robot));
+    return sql.withHandle(h -> DriveTable.drive(h, robot));
   }
 
   @Override
   public void saveDrive(String robot, StoredDrive drive) {
-    sql.inTransaction(h -> RobotTable.saveDrive(h, robot, drive));
+    sql.inTransaction(h -> DriveTable.save(h, robot, drive));
+  }
+
+  @Override
+  public void saveDriveEnd(String robot, long seq, int from, List<Segment> segments) {
+    sql.inTransaction(h -> DriveTable.saveEnd(h, robot, seq, from, segments));
+  }
+
+  @Override
+  public void inOneTransaction(Runnable work) {
+    sql.inOneTransaction(work);
   }
 
   // --- all robots, and those of a floor ---------------------------------------------------------

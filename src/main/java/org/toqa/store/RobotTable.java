@@ -4,14 +4,13 @@ import java.sql.Types;
 import java.time.Duration;
 import java.time.Instant;
 import java.util.List;
-import java.util.Optional;
+import java.util.Map;
 import org.jdbi.v3.core.Handle;
 import org.jdbi.v3.core.mapper.Nested;
 import org.jdbi.v3.core.statement.Update;
 import org.jspecify.annotations.Nullable;
 import org.toqa.fleet.ChargeRecord;
 import org.toqa.fleet.ChargeRecord.Turn;
-import org.toqa.fleet.FleetStore.StoredDrive;
 import org.toqa.fleet.LastPlace;
 import org.toqa.fleet.RobotCapabilities;
 import org.toqa.fleet.RobotRecord;
@@ -21,23 +20,24 @@ import org.toqa.link.trust.Fingerprint;
 import org.toqa.motion.Trajectory;
 import org.toqa.persistence.StoreException;
 
-/** The tables of robots and of their drives, within a transaction of somebody else. */
+/** The tables of robots and of their places, within a transaction of somebody else. */
 final class RobotTable {
   private RobotTable() {}
 
   static List<StoredRobot> storedRobots(Handle h) {
+    Map<Long, List<DriveTable.End>> ends = DriveTable.ends(h);
     return h.createQuery(
             """
-            select name, floor, host, port, max_load, parking, simulated, fingerprint, gateway,
+            select id, name, floor, host, port, max_load, parking, simulated, fingerprint, gateway,
               out_of_service, held, worked_s, charger, charger_since, told_load,
               p.x, p.y, p.theta, p.diameter,
-              case when p.robot_id is null or d.seq > p.drive then d.way end as since_driven
+              case when p.robot_id is null or d.seq > p.drive then d.way end as begun
             from robots r left join places p on p.robot_id = r.id
               left join drives d on d.robot_id = r.id
             where not removed order by id
             """)
         .mapTo(StoredRobotRow.class)
-        .map(StoredRobotRow::toStoredRobot)
+        .map(row -> row.toStoredRobot(ends.getOrDefault(row.id(), List.of())))
         .list();
   }
 
@@ -105,9 +105,10 @@ final class RobotTable {
    * @param workedS seconds
    * @param toldLoad kilograms; null: it was never connected
    * @param x null: nobody knows, or a person said that it is not there any more
-   * @param sinceDriven null: nothing
+   * @param begun the way of the drive that it has begun since; null: it has not
    */
   record StoredRobotRow(
+      long id,
       @Nested RobotRecord robot,
       boolean outOfService,
       boolean held,
@@ -119,8 +120,8 @@ final class RobotTable {
       @Nullable Double y,
       @Nullable Double theta,
       @Nullable Double diameter,
-      @Nullable Trajectory sinceDriven) {
-    StoredRobot toStoredRobot() {
+      @Nullable Trajectory begun) {
+    StoredRobot toStoredRobot(List<DriveTable.End> ends) {
       Turn turn = charger == null || chargerSince == null ? null : new Turn(charger, chargerSince);
       Duration worked = Duration.ofMillis(Math.round(1000 * workedS));
       return new StoredRobot(
@@ -129,13 +130,13 @@ final class RobotTable {
           held,
           new ChargeRecord(robot.name(), worked, turn),
           toldLoad,
-          place());
+          place(ends));
     }
 
-    private @Nullable LastPlace place() {
+    private @Nullable LastPlace place(List<DriveTable.End> ends) {
       double width = diameter == null ? RobotCapabilities.UNKNOWN.footprint() : diameter;
-      if (sinceDriven != null) {
-        return new LastPlace(width, sinceDriven);
+      if (begun != null) {
+        return new LastPlace(width, DriveTable.End.apply(ends, begun));
       }
       return x == null || y == null || theta == null
           ? null
@@ -197,39 +198,6 @@ final class RobotTable {
         .bind("charger", turn == null ? null : turn.point())
         .bind("since", turn == null ? null : turn.since())
         .bind("id", id(h, record.robot()))
-        .execute();
-  }
-
-  static Optional<StoredDrive> drive(Handle h, String robot) {
-    return h.createQuery(
-            """
-            select d.seq, d.task_id as task, d.phase, d.way as trajectory
-            from drives d join robots r on r.id = d.robot_id where r.name = :robot
-            """)
-        .bind("robot", robot)
-        .mapTo(StoredDrive.class)
-        .findOne();
-  }
-
-  static int saveDrive(Handle h, String robot, StoredDrive drive) {
-    long id = id(h, robot);
-    h.createUpdate(
-            """
-            insert into drives (robot_id, seq, task_id, phase, way, created_at)
-            values (:id, :seq, :task, :phase, :way, :at)
-            on duplicate key update seq = values(seq), task_id = values(task_id), phase = values(phase),
-              way = values(way), created_at = values(created_at)
-            """)
-        .bind("id", id)
-        .bind("seq", drive.seq())
-        .bind("task", drive.task())
-        .bind("phase", drive.phase())
-        .bind("way", drive.trajectory())
-        .bind("at", Instant.now())
-        .execute();
-    return h.createUpdate("update robots set last_seq = :seq where id = :id")
-        .bind("seq", drive.seq())
-        .bind("id", id)
         .execute();
   }
 

@@ -53,6 +53,8 @@ class RobotAgentTest {
   private final SingleThreadRuntime runtime = new SingleThreadRuntime();
   private final Database database = MemoryDatabase.open("robot-" + System.nanoTime());
   private final JdbiFleetStore store = new JdbiFleetStore(database.jdbi());
+  private final StoreWriter writer =
+      new StoreWriter("floor-hall", runtime, store::inOneTransaction, change -> {});
   private final ScriptedRobot robot = new ScriptedRobot("r1", new Vec2(0, 0));
   private final List<RobotEvent> told = new ArrayList<>();
   private Instant now = Instant.parse("2026-11-21T08:00:00Z");
@@ -88,7 +90,7 @@ class RobotAgentTest {
                       }),
                   "floor");
           ActorRef<RobotMessage> r1 =
-              context.spawn(RobotAgent.of(R1, floor, store, links(), now, runtime), "r1");
+              context.spawn(RobotAgent.of(R1, floor, store, writer, links(), now, runtime), "r1");
           return Behaviors.receiveMessage(
               message -> {
                 r1.tell(message);

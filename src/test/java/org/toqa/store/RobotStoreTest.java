@@ -8,10 +8,12 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.time.Duration;
 import java.time.Instant;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.stream.IntStream;
 import java.util.function.Predicate;
 import java.util.stream.Collectors;
 import org.jspecify.annotations.Nullable;
@@ -107,6 +109,11 @@ class RobotStoreTest extends FleetDatabaseTest {
     Trajectory way = new Trajectory(pose, List.of(new Segment(0.25, 0, 4)));
     store.saveDrive("r1", new StoredDrive(7, null, Phase.NONE, way));
     assertEquals(new LastPlace(0.3, way), place());
+
+    Segment turn = new Segment(0, 0.5, 1);
+    store.saveDriveEnd("r1", 7, 1, List.of(turn));
+    Trajectory longer = new Trajectory(pose, List.of(way.segments().getFirst(), turn));
+    assertEquals(new LastPlace(0.3, longer), place());
 
     store.savePlace("r1", way.end(), 0.3, 7);
     assertEquals(LastPlace.standing(way.end(), 0.3), place());
@@ -205,5 +212,59 @@ class RobotStoreTest extends FleetDatabaseTest {
     StoredDrive second = new StoredDrive(9, 77L, Phase.TO_GOAL, trajectory);
     store.saveDrive("r1", second);
     assertEquals(Optional.of(second), store.drive("r1"));
+  }
+
+  @Test
+  void theEndOfADriveComesBackAsItWasChangedLast() {
+    store.saveRobot(R1);
+    store.saveDrive("r1", drive(4, segments(0, 100)));
+
+    store.saveDriveEnd("r1", 4, 100, segments(100, 260));
+    assertEquals(Optional.of(drive(4, segments(0, 260))), store.drive("r1"));
+    store.saveDriveEnd("r1", 4, 190, List.of());
+    assertEquals(Optional.of(drive(4, segments(0, 190))), store.drive("r1"));
+    store.saveDriveEnd("r1", 4, 190, segments(190, 191));
+    store.saveDriveEnd("r1", 4, 90, segments(1000, 1001));
+    List<Segment> changed = new ArrayList<>(segments(0, 90));
+    changed.addAll(segments(1000, 1001));
+    assertEquals(Optional.of(drive(4, changed)), store.drive("r1"));
+
+    store.saveDrive("r1", drive(5, segments(7, 9)));
+    store.saveDriveEnd("r1", 4, 1, segments(0, 1)); // as when it is not known that it was stored
+    assertEquals(Optional.of(drive(5, segments(7, 9))), store.drive("r1"));
+    StoreException refusal =
+        assertThrows(
+            StoreException.class, () -> store.saveDriveEnd("r1", 6, 0, segments(0, 1)));
+    assertTrue(refusal.isRefusal(), refusal::toString);
+  }
+
+  @Test
+  void aChangedEndIsAShortRow() {
+    store.saveRobot(R1);
+    store.saveDrive("r1", drive(4, segments(0, 1000)));
+    store.saveDriveEnd("r1", 4, 1000, segments(1000, 1003));
+
+    assertEquals(
+        List.of(segments(1000, 1003).toString()),
+        database
+            .jdbi()
+            .withHandle(
+                h ->
+                    h.createQuery("select segments from drive_ends")
+                        .mapTo(String.class)
+                        .map(json -> TrajectoryJson.readSegments(json).toString())
+                        .list()));
+  }
+
+  private static StoredDrive drive(long seq, List<Segment> segments) {
+    return new StoredDrive(
+        seq, null, Phase.NONE, new Trajectory(new Pose(0.1, 1 / 3.0, -3), segments));
+  }
+
+  /** Each another one, of numbers that are as long as they can be. */
+  private static List<Segment> segments(int from, int to) {
+    return IntStream.range(from, to)
+        .mapToObj(i -> new Segment(-1e-300 / 3, -1e-300 / 7, i + 1 / 3.0))
+        .toList();
   }
 }

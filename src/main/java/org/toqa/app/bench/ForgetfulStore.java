@@ -14,6 +14,7 @@ import org.toqa.fleet.RobotRecord;
 import org.toqa.fleet.StoredRobot;
 import org.toqa.geometry.Pose;
 import org.toqa.mission.TransportTask;
+import org.toqa.motion.Segment;
 
 /** Accepts everything and keeps nothing: for fleets that nobody starts anew. */
 final class ForgetfulStore implements FleetStore {
@@ -118,6 +119,14 @@ final class ForgetfulStore implements FleetStore {
 
   @Override
   public void saveDrive(String robot, StoredDrive drive) {}
+
+  @Override
+  public void saveDriveEnd(String robot, long seq, int from, List<Segment> segments) {}
+
+  @Override
+  public void inOneTransaction(Runnable work) {
+    work.run();
+  }
 
   @Override
   public void addEvents(List<EventRecord> events) {}

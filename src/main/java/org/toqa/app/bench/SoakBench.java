@@ -34,8 +34,9 @@ import picocli.CommandLine.Spec;
       "first robots; there are always half as many more tasks than robots), emptyShare",
       "(the share of their time in which robots had less than 5 %% in their batteries),",
       "chargerUse (the share of their time in which charging points charged), samples",
-      "(each hour and at the end: tasksDone, databaseMb, what the database takes,",
-      "contentMb, what it would if it were compacted, heapMb, memory in use), stuck",
+      "(24 in equal distances, and at the end: tasksDone, databaseMb, what the database",
+      "takes, largestMb, the most that its file took since the sample before, contentMb,",
+      "what it would take if it were compacted, heapMb, memory in use), stuck",
       "(tasks and robots that did not get on for 30 simulated minutes, and what they",
       "wait for), leavesOut (what is not measured).",
       "",
@@ -80,12 +81,15 @@ final class SoakBench implements Callable<Integer> {
 
   private int measure(FleetServer toqa, URI address, StopSignal stop) throws Exception {
     TaskLoadGenerator load = TaskLoadGenerator.on(toqa.fleet(), robots.value(), seed.value());
+    Duration length = Duration.ofSeconds(Math.round(hours * 3600));
     SoakMeter meter =
         new SoakMeter(
             toqa.fleetClock(),
+            length,
             toqa::databaseSize,
+            toqa::databaseFileSize,
             toqa.fleet().floors().getFirst().charging().size());
-    Instant end = toqa.fleetClock().instant().plus(Duration.ofSeconds(Math.round(hours * 3600)));
+    Instant end = toqa.fleetClock().instant().plus(length);
     long begin = System.nanoTime();
     load.runUntil(() -> !toqa.fleetClock().instant().isBefore(end), stop, meter::observe);
     SoakMeter.Report report = meter.report((System.nanoTime() - begin) / 1e9);

@@ -8,6 +8,7 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
+import java.util.OptionalLong;
 import java.util.function.Supplier;
 import java.util.stream.Stream;
 import org.toqa.app.bench.meter.HeapMemory;
@@ -29,10 +30,15 @@ final class SoakMeter {
   /** Metres; who moved less stands. */
   private static final double MOVED = 0.05;
 
-  private static final Duration SAMPLE_INTERVAL = Duration.ofHours(1);
+  private static final int SAMPLES = 24;
 
   private final InstantSource fleetTime;
+  private final Duration sampleInterval;
   private final Supplier<DatabaseSize> databaseSize;
+
+  /** Bytes; empty: that cannot be asked so often. */
+  private final Supplier<OptionalLong> fileSize;
+
   private final int chargers;
   private final Instant begin;
   private final Map<Long, Instant> orderedAt = new HashMap<>();
@@ -41,6 +47,10 @@ final class SoakMeter {
   private final Map<String, Place> robots = new HashMap<>();
   private final List<Sample> samples = new ArrayList<>();
   private Instant lastObserved;
+
+  /** Bytes, since the last sample. */
+  private long largestFile;
+
   private double emptySeconds;
   private double chargerSeconds;
   private int tasksDone;
@@ -60,10 +70,17 @@ final class SoakMeter {
    * How it was after so many hours.
    *
    * @param databaseMb what the database takes, in units of 10^6 bytes
+   * @param largestMb the most that it took since the sample before this one; 0: not known
    * @param contentMb what of that is needed: its size if it were compacted
    * @param heapMb heap in use after a garbage collection, in the same units
    */
-  record Sample(double hours, int tasksDone, double databaseMb, double contentMb, double heapMb) {}
+  record Sample(
+      double hours,
+      int tasksDone,
+      double databaseMb,
+      double largestMb,
+      double contentMb,
+      double heapMb) {}
 
   /** What a task waits for, or what a robot does, that does not get on. */
   record Stuck(String who, double minutes, String what) {}
@@ -74,7 +91,7 @@ final class SoakMeter {
    * @param waitP50Seconds of the fleet's time, from a task's order to its first robots
    * @param emptyShare the share of their time in which robots had less than 5 % in their batteries
    * @param chargerUse the share of their time in which charging points charged
-   * @param samples one each hour, and at the end
+   * @param samples in equal distances, and at the end
    */
   record Report(
       double hours,
@@ -89,12 +106,21 @@ final class SoakMeter {
       List<Stuck> stuck) {}
 
   /**
+   * @param length of the measurement, in the fleet's time
    * @param databaseSize what the server's database takes
+   * @param fileSize bytes of its file, asked with each snapshot; empty: it has none
    * @param chargers how many charging points the floor has
    */
-  SoakMeter(InstantSource fleetTime, Supplier<DatabaseSize> databaseSize, int chargers) {
+  SoakMeter(
+      InstantSource fleetTime,
+      Duration length,
+      Supplier<DatabaseSize> databaseSize,
+      Supplier<OptionalLong> fileSize,
+      int chargers) {
     this.fleetTime = fleetTime;
+    this.sampleInterval = length.dividedBy(SAMPLES);
     this.databaseSize = databaseSize;
+    this.fileSize = fileSize;
     this.chargers = chargers;
     this.begin = fleetTime.instant();
     this.lastObserved = begin;
@@ -105,6 +131,7 @@ final class SoakMeter {
     Instant now = fleetTime.instant();
     double passed = seconds(Duration.between(lastObserved, now));
     lastObserved = now;
+    largestFile = Math.max(largestFile, fileSize.get().orElse(0));
     snapshot.tasks().forEach(task -> observe(task, now));
     tasks.keySet().retainAll(snapshot.tasks().stream().map(TaskView::id).toList());
     for (RobotView robot : snapshot.robots()) {
@@ -114,7 +141,7 @@ final class SoakMeter {
       chargerSeconds += robot.state() == RobotState.CHARGING ? passed : 0;
     }
     Duration since = Duration.between(begin, now);
-    if (since.compareTo(SAMPLE_INTERVAL.multipliedBy(samples.size() + 1L)) >= 0) {
+    if (since.compareTo(sampleInterval.multipliedBy(samples.size() + 1L)) >= 0) {
       addSample(since);
     }
   }
@@ -156,8 +183,10 @@ final class SoakMeter {
             seconds(since) / 3600,
             tasksDone,
             size.bytes() / 1e6,
+            largestFile / 1e6,
             size.contentBytes() / 1e6,
             HeapMemory.usedMegabytes()));
+    largestFile = 0;
   }
 
   /**

@@ -8,6 +8,7 @@ import java.util.ArrayDeque;
 import java.util.Deque;
 import java.util.List;
 import java.util.Optional;
+import java.util.OptionalLong;
 import java.util.concurrent.CompletionStage;
 import java.util.function.BiConsumer;
 import java.util.function.Function;
@@ -318,6 +319,11 @@ public final class FleetServer implements AutoCloseable {
    */
   public DatabaseSize databaseSize() {
     return database.size();
+  }
+
+  /** Bytes of the database's file; empty: it is none of this process. */
+  public OptionalLong databaseFileSize() {
+    return database.fileSize();
   }
 
   Configuration configuration() {

@@ -214,7 +214,13 @@ public final class FloorAgent extends AbstractBehavior<FloorMessage> {
                 state.runtime.agent(
                     "robot-" + record.name(),
                     RobotAgent.of(
-                        record, robotEvents, state.store, links, state.now, state.runtime)),
+                        record,
+                        robotEvents,
+                        state.store,
+                        state.writer,
+                        links,
+                        state.now,
+                        state.runtime)),
                 "robot-" + ++joined);
     FloorRobot robot =
         new FloorRobot(record, settings, agent, new StoreLimit(health, () -> state.now), state.now);

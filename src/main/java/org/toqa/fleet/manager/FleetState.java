@@ -82,7 +82,7 @@ final class FleetState {
       FleetRuntime runtime,
       Consumer<Sentence> onLeftOut) {
     this.store = store;
-    this.writer = new StoreWriter("manager", runtime, onLeftOut);
+    this.writer = new StoreWriter("manager", runtime, store::inOneTransaction, onLeftOut);
     this.clock = clock;
     this.runtime = runtime;
     this.now = now;

@@ -3,6 +3,7 @@ package org.toqa.fleet.manager;
 import java.time.InstantSource;
 import java.util.List;
 import java.util.concurrent.atomic.AtomicBoolean;
+import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
@@ -148,14 +149,15 @@ final class RobotRegistrar {
    * @param found gets null where there is none
    */
   void reread(String robot, Consumer<@Nullable RobotRecord> found) {
+    AtomicReference<@Nullable RobotRecord> stored = new AtomicReference<>();
     writer.write(
         () ->
-            found.accept(
+            stored.set(
                 store.robots().stream()
                     .filter(record -> record.name().equals(robot))
                     .findFirst()
                     .orElse(null)),
-        () -> {});
+        () -> found.accept(stored.get()));
   }
 
   private void reject(String field, Sentence sentence, RobotRecord robot, Request request) {

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalLong;
+import java.util.concurrent.atomic.AtomicReference;
 import org.apache.pekko.actor.typed.ActorRef;
 import org.jspecify.annotations.Nullable;
 import org.toqa.fleet.FleetStore;
@@ -18,7 +19,7 @@ import org.toqa.motion.Trajectory;
  * Sends a robot its drives: each, and each change of it, is stored before it is sent. Confined to
  * the robot's agent.
  */
-final class DriveSender implements AutoCloseable {
+final class DriveSender {
   private final String robot;
   private final FleetStore store;
   private final StoreWriter writer;
@@ -30,8 +31,6 @@ final class DriveSender implements AutoCloseable {
 
   /**
    * Asks the store for the last drive; {@link #setLoaded} brings it.
-   *
-   * @param writer closed with this
    */
   DriveSender(
       String robot,
@@ -46,7 +45,10 @@ final class DriveSender implements AutoCloseable {
     this.commands = commands;
     this.floor = floor;
     this.self = self;
-    writer.write(() -> self.tell(new RobotMessage.DriveLoaded(store.drive(robot))), () -> {});
+    AtomicReference<Optional<StoredDrive>> last = new AtomicReference<>(Optional.empty());
+    writer.write(
+        () -> last.set(store.drive(robot)),
+        () -> self.tell(new RobotMessage.DriveLoaded(last.get())));
   }
 
   void setLoaded(Optional<StoredDrive> stored) {
@@ -93,7 +95,7 @@ final class DriveSender implements AutoCloseable {
   }
 
   private void begin(StoredDrive next, CommandQueue.DriveCommand command) {
-    storeThenSend(next, null, commands.addBegin(next.seq(), command));
+    begin(next, commands.addBegin(next.seq(), command));
     floor.tell(new RobotEvent.DriveBegun(robot, next));
   }
 
@@ -107,6 +109,7 @@ final class DriveSender implements AutoCloseable {
     Trajectory trajectory = new Trajectory(old.trajectory().start(), segments);
     storeThenSend(
         new StoredDrive(old.seq(), old.task(), old.phase(), trajectory),
+        () -> store.saveDriveEnd(robot, old.seq(), m.from(), m.segments()),
         old.seq(),
         commands.addChange(
             old.seq(),
@@ -120,14 +123,22 @@ final class DriveSender implements AutoCloseable {
             commands.sendInOrder(old.seq(), (n, d) -> new ServerMessage.Release(n, d, released)));
   }
 
+  private void begin(StoredDrive next, long id) {
+    storeThenSend(next, () -> store.saveDrive(robot, next), null, id);
+  }
+
   /**
+   * @param next what the robot has to drive from then on
+   * @param change stores that
    * @param changing the drive that the command is to change; null: it begins one
    * @param id of the command in the queue
    */
-  private void storeThenSend(StoredDrive next, @Nullable Long changing, long id) {
+  private void storeThenSend(
+      StoredDrive next, Runnable change, @Nullable Long changing, long id) {
     drive = Optional.of(next);
     writer.write(
-        () -> store.saveDrive(robot, next),
+        robot,
+        change,
         () -> self.tell(new RobotMessage.CommandStored(id)),
         refusal ->
             self.tell(
@@ -157,7 +168,7 @@ final class DriveSender implements AutoCloseable {
   private void renumber(StoredDrive old) {
     StoredDrive next =
         new StoredDrive(commands.nextNumber(), old.task(), old.phase(), old.trajectory());
-    storeThenSend(next, null, commands.renumberFirst(next.seq()));
+    begin(next, commands.renumberFirst(next.seq()));
     floor.tell(new RobotEvent.DriveBegun(robot, next));
   }
 
@@ -171,10 +182,5 @@ final class DriveSender implements AutoCloseable {
     commands.dropNotStored(m.id());
     sendStored();
     floor.tell(new RobotEvent.CommandRejected(robot, m.changing(), m.reason()));
-  }
-
-  @Override
-  public void close() {
-    writer.close();
   }
 }

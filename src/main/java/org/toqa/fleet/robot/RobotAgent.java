@@ -62,10 +62,14 @@ public final class RobotAgent extends AbstractBehavior<RobotMessage> {
   private final SilenceDetector silence;
   private Instant lastPing = Instant.MIN;
 
+  /**
+   * @param writer of its floor, which stores the drives of all its robots
+   */
   public static Behavior<RobotMessage> of(
       RobotRecord robot,
       ActorRef<RobotEvent> floor,
       FleetStore store,
+      StoreWriter writer,
       RobotLinkFactory links,
       Instant now,
       FleetRuntime runtime) {
@@ -74,7 +78,7 @@ public final class RobotAgent extends AbstractBehavior<RobotMessage> {
         RobotMessage.class,
         runtime,
         Behaviors.setup(
-            context -> new RobotAgent(context, robot, floor, store, links, now, runtime)));
+            context -> new RobotAgent(context, robot, floor, store, writer, links, now, runtime)));
   }
 
   private RobotAgent(
@@ -82,6 +86,7 @@ public final class RobotAgent extends AbstractBehavior<RobotMessage> {
       RobotRecord robot,
       ActorRef<RobotEvent> floor,
       FleetStore store,
+      StoreWriter writer,
       RobotLinkFactory links,
       Instant now,
       FleetRuntime runtime) {
@@ -93,11 +98,6 @@ public final class RobotAgent extends AbstractBehavior<RobotMessage> {
     this.silence = new SilenceDetector(now);
     AgentHealth health = AgentHealth.of(context.getSystem());
     RobotAgents.of(context.getSystem()).add(robot, context.getSelf());
-    StoreWriter writer =
-        new StoreWriter(
-            robot.name(),
-            runtime,
-            change -> health.recordLeftOut(change, runtime.monotonicNanos()));
     this.drives = new DriveSender(robot.name(), store, writer, commands, floor, context.getSelf());
     this.clears = new ClearSender(robot.name(), commands::send);
     this.reports = new ReportForwarder(robot.name(), floor, health, () -> this.now);
@@ -321,7 +321,6 @@ public final class RobotAgent extends AbstractBehavior<RobotMessage> {
   private Behavior<RobotMessage> stopped() {
     RobotAgents.of(getContext().getSystem()).remove(getContext().getSelf());
     link.close();
-    drives.close();
     return this;
   }
 }
