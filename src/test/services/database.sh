@@ -13,7 +13,7 @@ start_database() {
   database_folder=$(mktemp -d)
   log=$database_folder/log
   say "starting $("${brand}_server" --version | sed 's/.* Ver \([^ ]*\).*/'"$brand"' \1/')"
-  "initialise_$brand" >"$log" 2>&1 || database_failed
+  initialise_database >"$log" 2>&1 || database_failed
   for _ in 1 2 3 4 5; do
     port=$(free_port)
     "run_$brand" >"$log" 2>&1 &
@@ -85,6 +85,19 @@ stop_database() {
   if [ -n "$database_folder" ]; then
     rm -rf "$database_folder"
   fi
+}
+
+# Makes an empty database; the first one is kept beside the server's program, and copied from then
+# on: a fifteenth of the work.
+initialise_database() {
+  empty=$cache/$brand/empty
+  if [ -d "$empty" ]; then
+    cp -R "$empty" "$database_folder/data"
+    return
+  fi
+  "initialise_$brand" || return
+  # Somebody else may be as far; then theirs is kept.
+  cp -R "$database_folder/data" "$empty.$$" && mv -T "$empty.$$" "$empty" || rm -rf "$empty.$$"
 }
 
 mysql_server() {

@@ -16,5 +16,5 @@ database_folder=$1
 port=$2
 mkdir -p "$database_folder"
 find_database
-[ -d "$database_folder/data" ] || "initialise_$brand"
+[ -d "$database_folder/data" ] || initialise_database
 "run_$brand"
