@@ -84,6 +84,7 @@
         <p id="more-tasks" class="faint" hidden></p>
         <p id="no-tasks" class="faint" hidden><fmt:message key="map.tasks.none"/></p>
         <a role="button" class="wide" href="${root}/tasks/new"><fmt:message key="tasks.new"/></a>
+        <p><a href="${root}/loads"><fmt:message key="map.allLoads"/></a></p>
       </section>
       <section>
         <h2><fmt:message key="map.robots"/></h2>

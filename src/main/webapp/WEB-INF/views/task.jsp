@@ -100,6 +100,26 @@
         <t:csrf/>
         <button class="outline"><fmt:message key="task.loadRemoved"/></button>
       </form>
+      <details ${empty errors.place ? '' : 'open'}>
+        <summary role="button" class="outline secondary"><fmt:message key="task.loadMoved"/></summary>
+        <form method="post" action="${root}/tasks/${task.task.id}/load-moved" novalidate>
+          <t:csrf/>
+          <fieldset class="place" ${not empty errors.place ? 'aria-invalid="true"' : ''}>
+            <legend><fmt:message key="task.loadMoved.where"/></legend>
+            <div>
+              <label for="placeStation"><fmt:message key="newTask.station"/></label>
+              <select id="placeStation" name="placeStation">
+                <option value=""><fmt:message key="newTask.station.none"/></option>
+                <c:forEach items="${stations}" var="station"><option value="${fn:escapeXml(station.name)}" dir="auto" ${station.name == param.placeStation ? 'selected' : ''}><c:out value="${station.name}"/></option></c:forEach>
+              </select>
+            </div>
+            <div><label for="placeX"><fmt:message key="newTask.x"/></label><input id="placeX" name="placeX" inputmode="decimal" dir="ltr" autocomplete="off" value="${fn:escapeXml(param.placeX)}" aria-describedby="place-help"></div>
+            <div><label for="placeY"><fmt:message key="newTask.y"/></label><input id="placeY" name="placeY" inputmode="decimal" dir="ltr" autocomplete="off" value="${fn:escapeXml(param.placeY)}" aria-describedby="place-help"></div>
+            <small id="place-help"><bdi><c:out value="${errors.place}"/></bdi></small>
+          </fieldset>
+          <button class="outline"><fmt:message key="task.loadMoved.submit"/></button>
+        </form>
+      </details>
     </c:if>
     <c:if test="${mayChange and task.state.isEnded() and not leftLoad}">
       <details>

@@ -13,6 +13,8 @@ import org.toqa.geometry.Vec2;
  * parking points (Tanta, "Load-based allocation").
  */
 final class Zones {
+  private final Vec2 low;
+  private final Vec2 high;
   private final boolean isAlongX;
   private final double begin;
   private final double width;
@@ -22,6 +24,8 @@ final class Zones {
    * @param robots all of the floor, at least one
    */
   Zones(Vec2 low, Vec2 high, List<Candidate> robots) {
+    this.low = low;
+    this.high = high;
     Vec2 size = high.minus(low);
     isAlongX = size.x() >= size.y();
     begin = along(low);
@@ -32,6 +36,21 @@ final class Zones {
                 comparingDouble((Candidate r) -> along(r.parking()))
                     .thenComparing(Candidate::robot))
             .toList();
+  }
+
+  List<Zone> strips() {
+    return IntStream.range(0, count())
+        .mapToObj(
+            zone ->
+                new Zone(
+                    robotOf(zone).robot(),
+                    corner(low, begin + zone * width),
+                    corner(high, begin + (zone + 1) * width)))
+        .toList();
+  }
+
+  private Vec2 corner(Vec2 floor, double along) {
+    return isAlongX ? new Vec2(along, floor.y()) : new Vec2(floor.x(), along);
   }
 
   int count() {

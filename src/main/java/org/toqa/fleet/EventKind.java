@@ -18,6 +18,7 @@ public enum EventKind {
   TASK_HELD("task.held"),
   TASK_LATE("task.late"),
   TASK_LOAD_FETCHED("task.load-fetched"),
+  TASK_LOAD_MOVED("task.load-moved"),
   TASK_LOAD_REMOVED("task.load-removed"),
   TASK_PARKED("task.parked"),
   TASK_PRIORITISED("task.prioritised"),
@@ -124,6 +125,7 @@ public enum EventKind {
       case MissionEvent.Answer ignored -> TASK_ANSWERED;
       case MissionEvent.HandOver ignored -> TASK_HANDED_OVER;
       case MissionEvent.LoadFetched ignored -> TASK_LOAD_FETCHED;
+      case MissionEvent.MoveLoad ignored -> TASK_LOAD_MOVED;
       case MissionEvent.RemoveLoad ignored -> TASK_LOAD_REMOVED;
     };
   }

@@ -4,8 +4,10 @@ import java.time.Instant;
 import java.util.List;
 import java.util.Map;
 import org.jspecify.annotations.Nullable;
+import org.toqa.allocation.Zone;
 import org.toqa.geometry.Vec2;
 import org.toqa.grid.CellRuns;
+import org.toqa.mission.LoadRecord;
 import org.toqa.mission.TransportTask.LoadSize;
 import org.toqa.wording.Sentence;
 
@@ -18,6 +20,9 @@ import org.toqa.wording.Sentence;
  *     reserved for each
  * @param leftLoads those of ended tasks that lie on the floor
  * @param chargerShortage null: the charging points are enough, as far as is known
+ * @param seen the same obstacles one by one, with their age, also doubted ones
+ * @param heldLoads where robots hold loads that several carry
+ * @param zones by which the allocator {@code zones} decides, in their order; empty without robots
  */
 public record FloorView(
     String name,
@@ -27,14 +32,87 @@ public record FloorView(
     List<StandstillView> standstills,
     List<FaultyCharger> faultyChargers,
     List<LeftLoad> leftLoads,
-    @Nullable ChargerShortage chargerShortage) {
+    @Nullable ChargerShortage chargerShortage,
+    List<SeenObstacle> seen,
+    List<HeldLoad> heldLoads,
+    List<Zone> zones) {
+
+  /** Without what is only shown. */
+  public FloorView(
+      String name,
+      @Nullable Hold hold,
+      CellRuns obstacles,
+      Map<String, CellRuns> silentRobotCells,
+      List<StandstillView> standstills,
+      List<FaultyCharger> faultyChargers,
+      List<LeftLoad> leftLoads,
+      @Nullable ChargerShortage chargerShortage) {
+    this(
+        name,
+        hold,
+        obstacles,
+        silentRobotCells,
+        standstills,
+        faultyChargers,
+        leftLoads,
+        chargerShortage,
+        List.of(),
+        List.of(),
+        List.of());
+  }
 
   public FloorView {
     silentRobotCells = Map.copyOf(silentRobotCells);
     standstills = List.copyOf(standstills);
     faultyChargers = List.copyOf(faultyChargers);
     leftLoads = List.copyOf(leftLoads);
+    seen = List.copyOf(seen);
+    heldLoads = List.copyOf(heldLoads);
+    zones = List.copyOf(zones);
   }
+
+  public FloorView withZones(List<Zone> next) {
+    return new FloorView(
+        name,
+        hold,
+        obstacles,
+        silentRobotCells,
+        standstills,
+        faultyChargers,
+        leftLoads,
+        chargerShortage,
+        seen,
+        heldLoads,
+        next);
+  }
+
+  /**
+   * An obstacle that robots have seen: cells that touch.
+   *
+   * @param robots that see it, or did within the time that it is remembered
+   * @param since when one saw it first
+   * @param last when one saw it last, to the second
+   * @param isDoubted whether robots may drive there, since one alone has seen it for long
+   */
+  public record SeenObstacle(
+      CellRuns cells, List<String> robots, Instant since, Instant last, boolean isDoubted) {
+    public SeenObstacle {
+      robots = List.copyOf(robots);
+    }
+  }
+
+  /** Where the robots of a task hold its load. */
+  public record HeldLoad(long task, List<HoldPoint> points) {
+    public HeldLoad {
+      points = List.copyOf(points);
+    }
+  }
+
+  /**
+   * @param at metres from the load's middle: x to where the robots face, y to their left
+   * @param share kilograms that the robot bears there
+   */
+  public record HoldPoint(String robot, Vec2 at, double share) {}
 
   /**
    * A charging point that does not charge.
@@ -46,10 +124,19 @@ public record FloorView(
   /**
    * A load that an ended task left on the floor.
    *
+   * @param task that left it
+   * @param name of that task
+   * @param weight kilograms
    * @param where its middle, metres, map frame
    */
   public record LeftLoad(
-      long task, String name, Vec2 where, @Nullable LoadSize size, Sentence text) {}
+      long task,
+      LoadRecord load,
+      String name,
+      double weight,
+      Vec2 where,
+      @Nullable LoadSize size,
+      Sentence text) {}
 
   /**
    * Robots wait to charge.

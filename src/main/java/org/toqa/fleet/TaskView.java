@@ -3,6 +3,7 @@ package org.toqa.fleet;
 import java.time.Instant;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
+import org.toqa.mission.LoadRecord;
 import org.toqa.mission.Mission;
 import org.toqa.mission.Question;
 import org.toqa.mission.TaskPlace;
@@ -20,6 +21,7 @@ import org.toqa.wording.Sentence;
  *     or cancel it
  * @param needs what a person must decide, else null
  * @param late a sentence while its deadline cannot be met, else null
+ * @param load which one it has
  */
 public record TaskView(
     TransportTask task,
@@ -31,10 +33,37 @@ public record TaskView(
     boolean blocked,
     @Nullable Question needs,
     @Nullable Sentence late,
-    Instant changedAt) {
+    Instant changedAt,
+    LoadRecord load) {
 
   public TaskView {
     robots = List.copyOf(robots);
+  }
+
+  /** Of a task with its own load, which is where it was when the task was ordered. */
+  public TaskView(
+      TransportTask task,
+      TaskState state,
+      boolean held,
+      List<String> robots,
+      @Nullable TaskPlace loadAt,
+      @Nullable Sentence waitingFor,
+      boolean blocked,
+      @Nullable Question needs,
+      @Nullable Sentence late,
+      Instant changedAt) {
+    this(
+        task,
+        state,
+        held,
+        robots,
+        loadAt,
+        waitingFor,
+        blocked,
+        needs,
+        late,
+        changedAt,
+        new LoadRecord(task.id(), task.createdAt()));
   }
 
   /**
@@ -51,24 +80,25 @@ public record TaskView(
         false,
         mission.question().orElse(null),
         null,
-        changedAt);
+        changedAt,
+        mission.loadRecord());
   }
 
   public TaskView withLateness(@Nullable Sentence nextLate) {
     return new TaskView(
-        task, state, held, robots, loadAt, waitingFor, blocked, needs, nextLate, changedAt);
+        task, state, held, robots, loadAt, waitingFor, blocked, needs, nextLate, changedAt, load);
   }
 
   /**
    * @param reason why it waits
    */
   public TaskView withWaitReason(Sentence reason) {
-    return new TaskView(task, state, held, robots, loadAt, reason, blocked, needs, late, changedAt);
+    return new TaskView(task, state, held, robots, loadAt, reason, blocked, needs, late, changedAt, load);
   }
 
   public TaskView asBlocked() {
     return new TaskView(
-        task, state, held, robots, loadAt, waitingFor, true, needs, late, changedAt);
+        task, state, held, robots, loadAt, waitingFor, true, needs, late, changedAt, load);
   }
 
   /** Where the load is fetched. */

@@ -1,7 +1,9 @@
 package org.toqa.mission;
 
+import java.time.Instant;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.function.UnaryOperator;
 import org.jspecify.annotations.Nullable;
@@ -22,6 +24,7 @@ import org.toqa.wording.Sentence;
  * @param setDownPlace where the load was fetched last, or is, if that is neither its start nor its
  *     goal
  * @param trouble what keeps a robot from going on, if anything
+ * @param load null: its own, which is at its start since the task was ordered
  */
 public record Mission(
     TransportTask task,
@@ -30,7 +33,8 @@ public record Mission(
     boolean held,
     @Nullable LoadChoice ending,
     @Nullable TaskPlace setDownPlace,
-    @Nullable Trouble trouble) {
+    @Nullable Trouble trouble,
+    @Nullable LoadRecord load) {
 
   /**
    * @param history sentences for the task's history; empty when the event changed nothing
@@ -48,6 +52,18 @@ public record Mission(
 
   public Mission {
     assignedRobots = List.copyOf(assignedRobots);
+  }
+
+  /** Of a task whose load is where it was when that was ordered. */
+  public Mission(
+      TransportTask task,
+      TaskState state,
+      List<AssignedRobot> assignedRobots,
+      boolean held,
+      @Nullable LoadChoice ending,
+      @Nullable TaskPlace setDownPlace,
+      @Nullable Trouble trouble) {
+    this(task, state, assignedRobots, held, ending, setDownPlace, trouble, null);
   }
 
   /** A task that has no robots yet. */
@@ -92,6 +108,35 @@ public record Mission(
       return setDownPlace;
     }
     return trouble == null ? null : trouble.place();
+  }
+
+  public LoadRecord loadRecord() {
+    return load == null ? new LoadRecord(task.id(), task.createdAt()) : load;
+  }
+
+  /** The same after the load was moved, if it was. */
+  public Mission withLoadTraced(Mission before, long loadId, Instant at) {
+    return hasLoadWhereIn(before)
+        ? this
+        : new Mission(
+            task,
+            state,
+            assignedRobots,
+            held,
+            ending,
+            setDownPlace,
+            trouble,
+            new LoadRecord(loadId, at));
+  }
+
+  private boolean hasLoadWhereIn(Mission before) {
+    return isOnBoard() == before.isOnBoard()
+        && state.isDelivered() == before.state.isDelivered()
+        && Objects.equals(setDownPlace, before.setDownPlace);
+  }
+
+  private boolean isOnBoard() {
+    return state == TaskState.CARRYING;
   }
 
   /** Where its load lies on the floor though it has ended. */
@@ -160,6 +205,7 @@ public record Mission(
       case MissionEvent.Edit e -> OperatorCommandRules.edit(this, e);
       case MissionEvent.Answer e -> TroubleRules.answer(this, e);
       case MissionEvent.HandOver e -> OperatorCommandRules.handOver(this, e);
+      case MissionEvent.MoveLoad e -> OperatorCommandRules.moveLeftLoad(this, e);
       case MissionEvent.RemoveLoad e ->
           OperatorCommandRules.endLeftLoad(this, Phrase.LOAD_REMOVED.with(e.user()));
     };
@@ -228,48 +274,48 @@ public record Mission(
   /** What has ended is not on hold any more and does not end again. */
   Mission withState(TaskState next) {
     return next.isEnded()
-        ? new Mission(task, next, assignedRobots, false, null, setDownPlace, null)
-        : new Mission(task, next, assignedRobots, held, ending, setDownPlace, trouble);
+        ? new Mission(task, next, assignedRobots, false, null, setDownPlace, null, load)
+        : new Mission(task, next, assignedRobots, held, ending, setDownPlace, trouble, load);
   }
 
   Mission withAssignedRobots(List<AssignedRobot> next) {
-    return new Mission(task, state, next, held, ending, setDownPlace, trouble);
+    return new Mission(task, state, next, held, ending, setDownPlace, trouble, load);
   }
 
   Mission withPriority(int priority) {
     return new Mission(
-        task.withPriority(priority), state, assignedRobots, held, ending, setDownPlace, trouble);
+        task.withPriority(priority), state, assignedRobots, held, ending, setDownPlace, trouble, load);
   }
 
   Mission withPart(OrderPart part) {
     return new Mission(
-        task.withPart(part), state, assignedRobots, held, ending, setDownPlace, trouble);
+        task.withPart(part), state, assignedRobots, held, ending, setDownPlace, trouble, load);
   }
 
   Mission withOrder(TransportTask order) {
     return new Mission(
-        task.withOrder(order), state, assignedRobots, held, ending, setDownPlace, trouble);
+        task.withOrder(order), state, assignedRobots, held, ending, setDownPlace, trouble, load);
   }
 
   Mission withOwner(String user, long owner) {
     return new Mission(
-        task.withOwner(user, owner), state, assignedRobots, held, ending, setDownPlace, trouble);
+        task.withOwner(user, owner), state, assignedRobots, held, ending, setDownPlace, trouble, load);
   }
 
   Mission withHeld(boolean hold) {
-    return new Mission(task, state, assignedRobots, hold, ending, setDownPlace, trouble);
+    return new Mission(task, state, assignedRobots, hold, ending, setDownPlace, trouble, load);
   }
 
   Mission withEnding(LoadChoice choice) {
-    return new Mission(task, state, assignedRobots, held, choice, setDownPlace, trouble);
+    return new Mission(task, state, assignedRobots, held, choice, setDownPlace, trouble, load);
   }
 
   Mission withLoadAt(@Nullable TaskPlace place) {
-    return new Mission(task, state, assignedRobots, held, ending, place, trouble);
+    return new Mission(task, state, assignedRobots, held, ending, place, trouble, load);
   }
 
   Mission withTrouble(@Nullable Trouble next) {
-    return new Mission(task, state, assignedRobots, held, ending, setDownPlace, next);
+    return new Mission(task, state, assignedRobots, held, ending, setDownPlace, next, load);
   }
 
   Step step(List<MissionCommand> commands, Sentence... history) {

@@ -112,6 +112,13 @@ public sealed interface MissionEvent {
   record HandOver(String user, String newUser, long newOwner) implements OperatorCommand {}
 
   /**
+   * A person says that the load which the ended mission left on the floor lies elsewhere.
+   *
+   * @param place off walls
+   */
+  record MoveLoad(String user, TaskPlace place) implements OperatorCommand {}
+
+  /**
    * A person says that the load which the ended mission left on the floor is not there any more.
    */
   record RemoveLoad(String user) implements OperatorCommand {}

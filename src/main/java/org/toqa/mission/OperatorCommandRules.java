@@ -20,11 +20,15 @@ final class OperatorCommandRules {
       case MissionEvent.Edit edit -> objectionToEdit(mission, edit);
       case MissionEvent.Answer answer -> objectionToAnswer(mission, answer);
       case MissionEvent.HandOver ignored -> objectionToChange(mission);
-      case MissionEvent.RemoveLoad ignored ->
-          mission.leftLoad().isPresent()
-              ? Optional.empty()
-              : Optional.of(Objection.of(Phrase.NO_LOAD_LEFT.with(mission.id())));
+      case MissionEvent.MoveLoad ignored -> objectionWithoutLeftLoad(mission);
+      case MissionEvent.RemoveLoad ignored -> objectionWithoutLeftLoad(mission);
     };
+  }
+
+  private static Optional<Objection> objectionWithoutLeftLoad(Mission mission) {
+    return mission.leftLoad().isPresent()
+        ? Optional.empty()
+        : Optional.of(Objection.of(Phrase.NO_LOAD_LEFT.with(mission.id())));
   }
 
   private static Optional<Objection> objectionToCancel(
@@ -154,6 +158,14 @@ final class OperatorCommandRules {
             .step(
                 List.of(),
                 Phrase.TASK_HANDED_OVER.with(event.user(), mission.task().user(), event.newUser()));
+  }
+
+  static Mission.Step moveLeftLoad(Mission mission, MissionEvent.MoveLoad event) {
+    return mission.leftLoad().filter(place -> !place.equals(event.place())).isPresent()
+        ? mission
+            .withLoadAt(event.place())
+            .step(List.of(), Phrase.LOAD_MOVED.with(event.user(), event.place().sentence()))
+        : mission.unchangedStep();
   }
 
   static Mission.Step endLeftLoad(Mission mission, Sentence sentence) {

@@ -10,6 +10,7 @@ import org.toqa.fleet.TaskView;
 import org.toqa.geometry.Vec2;
 import org.toqa.mission.AssignedRobot;
 import org.toqa.mission.LoadChoice;
+import org.toqa.mission.LoadRecord;
 import org.toqa.mission.Mission;
 import org.toqa.mission.OrderPart;
 import org.toqa.mission.TaskPlace;
@@ -39,6 +40,8 @@ record TaskRow(
     @Nullable LoadChoice ending,
     @Nullable Double setDownX,
     @Nullable Double setDownY,
+    @Nullable Long loadId,
+    @Nullable Instant loadSince,
     @Nested("trouble") @Nullable TroubleColumns trouble,
     @Nested("order") @Nullable OrderColumns order) {
 
@@ -46,7 +49,7 @@ record TaskRow(
       """
       id, name, user_name, user_id, floor, load_kg, load_length, load_width, start_x, start_y, start_station,
       goal_x, goal_y, goal_station, priority, deadline, state, created_at, changed_at, held, ending,
-      set_down_x, set_down_y, trouble_robot, trouble_why, trouble_said, trouble_x, trouble_y, trouble_waits,
+      set_down_x, set_down_y, load_id, load_since, trouble_robot, trouble_why, trouble_said, trouble_x, trouble_y, trouble_waits,
       order_id, order_part, awaits_previous as order_awaits,
       (select o.name from orders o where o.id = tasks.order_id) as order_name,
       (select o.kind from orders o where o.id = tasks.order_id) as order_kind,
@@ -95,7 +98,8 @@ record TaskRow(
         held,
         ending,
         place(setDownX, setDownY),
-        trouble == null ? null : trouble.toTrouble());
+        trouble == null ? null : trouble.toTrouble(),
+        loadId == null || loadSince == null ? null : new LoadRecord(loadId, loadSince));
   }
 
   private TransportTask toTask() {

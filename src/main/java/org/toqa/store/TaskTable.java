@@ -13,6 +13,7 @@ import org.jdbi.v3.core.statement.Update;
 import org.jspecify.annotations.Nullable;
 import org.toqa.fleet.FleetStore.Submission;
 import org.toqa.mission.AssignedRobot;
+import org.toqa.mission.LoadRecord;
 import org.toqa.mission.Mission;
 import org.toqa.mission.OrderPart;
 import org.toqa.mission.Phase;
@@ -113,6 +114,7 @@ final class TaskTable {
     Trouble trouble = mission.trouble();
     OrderPart part = mission.task().part();
     TaskPlace place = trouble == null ? null : trouble.place();
+    LoadRecord load = mission.load();
     bindOrder(
             h.createUpdate(
                 """
@@ -125,7 +127,7 @@ final class TaskTable {
               set_down_x = :setDownX, set_down_y = :setDownY, trouble_robot = :troubleRobot,
               trouble_why = :troubleWhy, trouble_said = :troubleSaid, trouble_x = :troubleX,
               trouble_y = :troubleY, trouble_waits = :troubleWaits,
-              awaits_previous = :awaits
+              awaits_previous = :awaits, load_id = :loadId, load_since = :loadSince
             where id = :id
             """),
             mission.task())
@@ -146,6 +148,8 @@ final class TaskTable {
         .bind("troubleY", place == null ? null : place.position().y())
         .bind("troubleWaits", trouble != null && trouble.isAwaited())
         .bind("awaits", part != null && part.awaitsPrevious())
+        .bind("loadId", load == null ? null : load.id())
+        .bind("loadSince", load == null ? null : load.since())
         .bind("id", mission.id())
         .execute();
   }

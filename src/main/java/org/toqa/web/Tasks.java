@@ -10,6 +10,7 @@ import org.toqa.fleet.FleetSnapshot;
 import org.toqa.fleet.TaskArchive.Filter;
 import org.toqa.fleet.TaskArchive.Sort;
 import org.toqa.fleet.TaskView;
+import org.toqa.grid.FloorMap;
 import org.toqa.mission.TaskState;
 import org.toqa.wording.Phrase;
 
@@ -26,6 +27,15 @@ public final class Tasks {
         .filter(task -> task.id() == id)
         .findFirst()
         .or(() -> services.archive().task(id).map(this::withReason));
+  }
+
+  /** That of the task; the first one where the task's is no more. */
+  public FloorMap floorOf(TaskView task) {
+    List<FloorMap> floors = services.fleet().floors();
+    return floors.stream()
+        .filter(floor -> floor.name().equals(task.task().floor()))
+        .findFirst()
+        .orElseGet(floors::getFirst);
   }
 
   public List<TaskView> page(Filter filter, Sort sort, int offset, int limit) {

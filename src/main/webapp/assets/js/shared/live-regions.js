@@ -31,6 +31,10 @@ const SUBJECTS = {
     const robot = robots.find((candidate) => candidate.name === name);
     return robot && [robot.held, robot.task, pause];
   },
+  loads: ({tasks, floors}) => [
+    ...tasks.map(({id, state, loadAt, robots}) => [id, state, loadAt, robots]),
+    ...floors.map(({leftLoads}) => leftLoads),
+  ],
   pause: ({pause}) => pause,
   floors: ({floors}) => floors.map(({floor, hold}) => [floor, hold]),
   service: ({robots, floors}, name) => [

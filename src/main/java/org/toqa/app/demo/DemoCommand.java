@@ -125,6 +125,7 @@ public final class DemoCommand implements Callable<Integer> {
     options.put(Setting.SIMULATE, String.valueOf(robots));
     options.put(Setting.SIMULATE_BATTERIES, BATTERIES);
     options.put(Setting.MANAGER, USER + ":" + PASSWORD);
+    options.put(Setting.ALLOCATOR, "zones"); // by the load, as Tanta does
     options.put(Setting.LOG_LEVEL, "WARN");
     options.put(Setting.DATA, data.toString());
     options.put(Setting.FIRMWARE, firmware ? System.getProperty(FIRMWARE_FOLDER) : null);

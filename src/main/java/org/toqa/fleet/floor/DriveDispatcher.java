@@ -58,6 +58,7 @@ final class DriveDispatcher {
     boolean isStray =
         (isOnOtherDrive && !(robot.settings.isInService() && isSteppingAside(robot)))
             || updateObstructed(robot)
+            || isLoadAhead(robot)
             || updateOffPath(robot)
             || isDriveUnwanted(robot);
     if (isStray) {
@@ -109,6 +110,12 @@ final class DriveDispatcher {
             && report.hasError(OBSTACLE)
             && state.traffic.isObstacleAhead(robot.name());
     return robot.obstructed.update(isStopped, OBSTACLE_PATIENCE, state.now);
+  }
+
+  /** Whether a load lies by now on what it was told to drive: it is stopped, and goes round that. */
+  private boolean isLoadAhead(FloorRobot robot) {
+    return robot.reported.report().role() == Role.ALONE
+        && state.leftLoads.isAhead(robot.name(), state.traffic);
   }
 
   /**

@@ -240,7 +240,9 @@ public final class FloorAgent extends AbstractBehavior<FloorMessage> {
       homing.sendIdleHome(robot);
       drives.updateRobot(robot);
     }
-    state.addRobotLines(watch.updateObstacles(missions.cellsUnderLoads(), time));
+    missions.updatePassableLoads();
+    state.addRobotLines(
+        watch.updateObstacles(state.leftLoads.cells(), state.leftLoads.passable(), time));
     drives.applyTrafficDecisions();
     state.addToHistory(watch.updateStandstills(holds::mayStand));
     if (state.changed) {

@@ -4,7 +4,6 @@ import static java.util.stream.Collectors.toSet;
 
 import java.time.Instant;
 import java.util.ArrayList;
-import java.util.BitSet;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
@@ -28,6 +27,8 @@ import org.toqa.mission.Objection;
 import org.toqa.mission.TaskPlace;
 import org.toqa.mission.TaskState;
 import org.toqa.persistence.StoreException;
+import org.toqa.wording.Phrase;
+import org.toqa.wording.Sentence;
 
 /**
  * Lets a floor's missions go on: an event makes a step, the step is stored, and only then its
@@ -160,17 +161,22 @@ final class FloorMissions {
 
   private Mission applyEvent(
       Mission mission, MissionEvent event, Consumer<StoreException> refused) {
-    Mission.Step step = mission.apply(event);
+    Mission.Step applied = mission.apply(event);
     Instant at = state.clock.instant();
     List<Mission.Step> steps = new ArrayList<>();
     List<MissionChange> changes = new ArrayList<>();
+    List<Mission> fetchedOf =
+        hasFetched(mission, applied.mission())
+            ? state.leftLoads.at(mission.object().position())
+            : List.of();
+    Mission.Step step = traceLoad(applied, mission, fetchedOf, at);
     if (step.hasChanges()) {
       steps.add(step);
       changes.add(change(step, event, at));
     }
-    if (hasFetched(mission, step.mission())) {
+    if (!fetchedOf.isEmpty()) {
       MissionEvent fetched = new MissionEvent.LoadFetched(mission.id());
-      for (Mission left : state.leftLoads.at(mission.object().position())) {
+      for (Mission left : fetchedOf) {
         Mission.Step end = left.apply(fetched);
         steps.add(end);
         changes.add(change(end, fetched, at));
@@ -180,6 +186,14 @@ final class FloorMissions {
       saveSteps(steps, changes, refused);
     }
     return step.mission();
+  }
+
+  /** A load that another task left there is the same one on. */
+  private static Mission.Step traceLoad(
+      Mission.Step step, Mission before, List<Mission> fetchedOf, Instant at) {
+    Mission owner = fetchedOf.isEmpty() ? before : fetchedOf.getFirst();
+    Mission traced = step.mission().withLoadTraced(before, owner.loadRecord().id(), at);
+    return new Mission.Step(traced, step.commands(), step.history());
   }
 
   /** A mission that has ended already stays ended at the time when it did. */
@@ -194,16 +208,22 @@ final class FloorMissions {
     return before.state() != TaskState.CARRYING && after.state() == TaskState.CARRYING;
   }
 
-  /** Cells that robots must not enter, since loads lie on them. */
-  BitSet cellsUnderLoads() {
-    List<Vec2> fetched =
-        state.missions.all().stream()
-            .map(OpenMissions.DatedMission::mission)
-            .filter(mission -> mission.state() != TaskState.RETURNING)
-            .map(mission -> mission.object().position())
-            .toList();
-    return state.leftLoads.blockedCells(
-        fetched, cells -> cells.stream().anyMatch(cell -> !state.traffic.robotsAt(cell).isEmpty()));
+  /** Which loads do not count for which robots, as these stand now. */
+  void updatePassableLoads() {
+    for (String robot : state.robots.keySet()) {
+      if (state.traffic.hasRobot(robot)) {
+        state.leftLoads.updatePassable(robot, fetchedBy(robot), state.traffic);
+      }
+    }
+  }
+
+  private @Nullable Vec2 fetchedBy(String robot) {
+    return state
+        .missions
+        .missionOf(robot)
+        .filter(mission -> mission.state() != TaskState.RETURNING)
+        .map(mission -> mission.object().position())
+        .orElse(null);
   }
 
   /** Stores the step; its commands are carried out when it is safe. */
@@ -255,6 +275,14 @@ final class FloorMissions {
     if (objection.isPresent()) {
       m.replyTo().tell(StatusReply.success(Answer.conflict(objection.get())));
       return;
+    }
+    if (m.command() instanceof MissionEvent.MoveLoad move) {
+      Optional<Sentence> against =
+          PlaceCheck.objection(state.floor.grid(), Phrase.LOAD_PLACE, move.place());
+      if (against.isPresent()) {
+        m.replyTo().tell(StatusReply.success(new Answer.Rejected<>("place", against.get())));
+        return;
+      }
     }
     AtomicReference<@Nullable StoreException> refused = new AtomicReference<>();
     Mission next = applyEvent(known.get(), m.command(), refused::set);

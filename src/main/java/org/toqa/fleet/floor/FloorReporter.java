@@ -75,7 +75,11 @@ final class FloorReporter {
         kept,
         state.chargers.faultyChargers(),
         state.leftLoads.views(),
-        state.chargerShortage);
+        state.chargerShortage,
+        state.missions.all().stream()
+            .map(OpenMissions.DatedMission::mission)
+            .flatMap(mission -> state.formations.heldLoad(mission).stream())
+            .toList());
   }
 
   RobotView view(FloorRobot robot) {

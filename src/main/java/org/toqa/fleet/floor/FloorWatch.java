@@ -11,6 +11,7 @@ import org.toqa.fleet.EventKind;
 import org.toqa.fleet.FloorView;
 import org.toqa.fleet.FloorView.ChargerShortage;
 import org.toqa.fleet.FloorView.FaultyCharger;
+import org.toqa.fleet.FloorView.HeldLoad;
 import org.toqa.fleet.FloorView.LeftLoad;
 import org.toqa.fleet.FloorView.StandstillView;
 import org.toqa.fleet.Hold;
@@ -31,6 +32,7 @@ final class FloorWatch {
   private final FloorTraffic traffic;
   private final ObstacleMap obstacles;
   private final StandstillTracker standstills;
+  private BitSet underLoads = new BitSet();
 
   /** A line for the history of a robot and of the task that it has. */
   record HistoryLine(EventKind kind, String robot, Sentence text) {}
@@ -58,8 +60,10 @@ final class FloorWatch {
         .toList();
   }
 
+  /** Whether another robot is there, or a load that is known. */
   private boolean isOfOther(String robot, int cell) {
-    return traffic.robotsAt(cell).stream().anyMatch(other -> !other.equals(robot));
+    return underLoads.get(cell)
+        || traffic.robotsAt(cell).stream().anyMatch(other -> !other.equals(robot));
   }
 
   /** What a robot sees in the cell that it is in fills the next one: it cannot be there. */
@@ -74,8 +78,9 @@ final class FloorWatch {
    * Tells the traffic which obstacles there are; to be called before it decides.
    *
    * @param loads cells under loads that lie on the floor
+   * @param passable by robot, those of the cells that it may go over
    */
-  List<HistoryLine> updateObstacles(BitSet loads, Instant now) {
+  List<HistoryLine> updateObstacles(BitSet loads, Map<String, BitSet> passable, Instant now) {
     List<HistoryLine> lines = new ArrayList<>();
     for (Obstacle gone : obstacles.forgetExpired(now)) {
       lines.add(line(EventKind.FLOOR_OBSTACLE_GONE, gone, Phrase.OBSTACLE_GONE));
@@ -83,9 +88,10 @@ final class FloorWatch {
     for (Obstacle doubted : obstacles.takeDoubted()) {
       lines.add(line(EventKind.FLOOR_OBSTACLE_DOUBTED, doubted, Phrase.OBSTACLE_DOUBTED));
     }
+    underLoads = loads;
     BitSet cells = obstacles.cells();
     cells.or(loads);
-    traffic.setObstacles(cells);
+    traffic.setObstacles(cells, passable);
     return lines;
   }
 
@@ -127,7 +133,8 @@ final class FloorWatch {
       Map<String, CellRuns> kept,
       List<FaultyCharger> faultyChargers,
       List<LeftLoad> leftLoads,
-      @Nullable ChargerShortage chargerShortage) {
+      @Nullable ChargerShortage chargerShortage,
+      List<HeldLoad> heldLoads) {
     return new FloorView(
         floor.name(),
         hold,
@@ -136,7 +143,10 @@ final class FloorWatch {
         standstills.lasting(),
         faultyChargers,
         leftLoads,
-        chargerShortage);
+        chargerShortage,
+        obstacles.views(),
+        heldLoads,
+        List.of());
   }
 
   private Sentence sentence(Obstacle obstacle) {

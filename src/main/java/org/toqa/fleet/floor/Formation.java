@@ -1,5 +1,8 @@
 package org.toqa.fleet.floor;
 
+import java.util.List;
+import java.util.Optional;
+import org.toqa.formation.LoadHolds;
 import org.toqa.formation.Shape;
 import org.toqa.geometry.Pose;
 import org.toqa.geometry.Vec2;
@@ -17,6 +20,19 @@ import org.toqa.traffic.floor.FormationFootprint;
 record Formation(Shape shape, Pose load, LoadSize size, FormationFootprint group) {
   /** Metres that a follower may be off its place. */
   static final double TOLERANCE = 0.05;
+
+  private static final double EIGHTH = Math.PI / 4;
+
+  /** Of a load's length from the way that the group faces, radians: a square one lies along the map. */
+  static double turnOf(Pose load, LoadSize size) {
+    boolean isAskew = Math.round(load.theta() / EIGHTH) % 2 != 0;
+    return isAskew && size.length() == size.width() ? EIGHTH : 0;
+  }
+
+  /** Where the robots hold the load, from its middle, in the frame of the way that they face. */
+  Optional<List<Vec2>> holds(List<Double> shares) {
+    return LoadHolds.of(shape, size.length(), size.width(), turnOf(load, size), shares);
+  }
 
   /**
    * Where each robot is to pick the load up; all face alike.

@@ -73,10 +73,10 @@ final class FormationPlacement {
   private Stream<Formation> at(
       Vec2 object, int eighths, Shape ideal, LoadSize size, double radius) {
     Pose load = new Pose(object.x(), object.y(), eighths * EIGHTH);
-    boolean isCornerwise = eighths % 2 == 1 && size.length() == size.width();
-    return new LoadPlaces(grid, load, size, isCornerwise ? EIGHTH : 0, radius)
+    double turn = Formation.turnOf(load, size);
+    return new LoadPlaces(grid, load, size, turn, radius)
         .nearest(ideal).stream()
-            .filter(shape -> canHold(shape, size, isCornerwise ? EIGHTH : 0))
+            .filter(shape -> canHold(shape, size, turn))
             .map(
                 shape ->
                     new Formation(

@@ -5,8 +5,11 @@ import java.util.List;
 import java.util.Map;
 import java.util.Objects;
 import java.util.Optional;
+import java.util.stream.IntStream;
 import org.jspecify.annotations.Nullable;
 import org.toqa.allocation.TeamSize;
+import org.toqa.fleet.FloorView.HeldLoad;
+import org.toqa.fleet.FloorView.HoldPoint;
 import org.toqa.fleet.RobotCapabilities;
 import org.toqa.fleet.robot.RobotMessage;
 import org.toqa.geometry.Pose;
@@ -87,6 +90,24 @@ final class Formations {
     }
     return TeamSize.shares(mission.task().load(), team.stream().map(this::maxLoad).toList())
         .get(index);
+  }
+
+  /** Where the robots of a group hold its load, until that is delivered. */
+  Optional<HeldLoad> heldLoad(Mission mission) {
+    if (!isGroup(mission) || mission.state() == TaskState.RETURNING) {
+      return Optional.empty();
+    }
+    List<String> team = mission.assignedRobots().stream().map(AssignedRobot::robot).toList();
+    List<Double> shares = team.stream().map(robot -> share(mission, robot)).toList();
+    return of(mission)
+        .flatMap(formation -> formation.holds(shares))
+        .map(
+            points ->
+                new HeldLoad(
+                    mission.id(),
+                    IntStream.range(0, team.size())
+                        .mapToObj(i -> new HoldPoint(team.get(i), points.get(i), shares.get(i)))
+                        .toList()));
   }
 
   private double maxLoad(String robot) {

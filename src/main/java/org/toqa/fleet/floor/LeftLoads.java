@@ -2,42 +2,39 @@ package org.toqa.fleet.floor;
 
 import java.time.Instant;
 import java.util.BitSet;
+import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
 import java.util.Optional;
-import java.util.function.Predicate;
+import org.jspecify.annotations.Nullable;
 import org.toqa.fleet.FloorView.LeftLoad;
+import org.toqa.fleet.LoadView;
 import org.toqa.geometry.Vec2;
 import org.toqa.grid.Cell;
 import org.toqa.grid.Disc;
 import org.toqa.grid.OccupancyGrid;
 import org.toqa.mission.Mission;
 import org.toqa.mission.TransportTask.LoadSize;
+import org.toqa.traffic.floor.FloorTraffic;
 import org.toqa.wording.Phrase;
 import org.toqa.wording.Sentence;
 
 /**
  * Loads that ended missions left on the floor. Each keeps robots off the cells that it may cover,
- * whatever its heading, once the robot that set it down is off them; and lets robots come again
- * while one is on its way to fetch it.
+ * whatever its heading: all but those that stand there, as the one that set it down does, and those
+ * that fetch it.
  */
 final class LeftLoads {
-  /** Metres; whoever fetches a load so near to where it lies fetches this one. */
-  private static final double SAME_PLACE = 0.05;
-
   private final OccupancyGrid grid;
 
   /** By task. */
   private final Map<Long, Entry> loads = new LinkedHashMap<>();
 
-  private record Entry(
-      Mission mission, Instant endedAt, Vec2 where, BitSet cells, boolean blocking) {
-    Entry withBlocking(boolean next) {
-      return new Entry(mission, endedAt, where, cells, next);
-    }
-  }
+  private final Map<String, BitSet> passable = new HashMap<>();
+
+  private record Entry(Mission mission, Instant endedAt, Vec2 where, BitSet cells) {}
 
   LeftLoads(OccupancyGrid grid) {
     this.grid = grid;
@@ -54,7 +51,7 @@ final class LeftLoads {
       loads.remove(mission.id());
     } else {
       loads.put(
-          mission.id(), new Entry(mission, at, where.get(), cellsAt(where.get(), mission), false));
+          mission.id(), new Entry(mission, at, where.get(), cellsAt(where.get(), mission)));
     }
   }
 
@@ -83,24 +80,49 @@ final class LeftLoads {
   }
 
   private static boolean isAt(Entry load, Vec2 place) {
-    return load.where().distanceTo(place) < SAME_PLACE;
+    return load.where().distanceTo(place) < LoadView.SAME_PLACE;
+  }
+
+  /** The cells that they may cover. */
+  BitSet cells() {
+    BitSet cells = new BitSet();
+    loads.values().forEach(load -> cells.or(load.cells()));
+    return cells;
+  }
+
+  /** By robot, those of the cells that it may go over. */
+  Map<String, BitSet> passable() {
+    return passable;
   }
 
   /**
-   * The cells that robots must not enter now.
+   * A robot may go over a load that it fetches, and over one that it stands in until it is off it.
    *
-   * @param fetched where robots are on their way to fetch loads
-   * @param isInUse whether robots are on some of those cells, or may be
+   * @param fetched where the load is that it fetches; null: it fetches none
    */
-  BitSet blockedCells(List<Vec2> fetched, Predicate<BitSet> isInUse) {
-    BitSet blocked = new BitSet();
-    loads.replaceAll(
-        (_, load) ->
-            load.withBlocking(
-                fetched.stream().noneMatch(place -> isAt(load, place))
-                    && (load.blocking() || !isInUse.test(load.cells()))));
-    loads.values().stream().filter(Entry::blocking).forEach(load -> blocked.or(load.cells()));
-    return blocked;
+  void updatePassable(String robot, @Nullable Vec2 fetched, FloorTraffic traffic) {
+    BitSet before = passable.getOrDefault(robot, new BitSet());
+    BitSet now = new BitSet();
+    for (Entry load : loads.values()) {
+      boolean isLeaving =
+          traffic.isUnder(robot, load.cells())
+              || (before.intersects(load.cells()) && traffic.isAhead(robot, load.cells()));
+      if (isLeaving || (fetched != null && isAt(load, fetched))) {
+        now.or(load.cells());
+      }
+    }
+    if (now.isEmpty()) {
+      passable.remove(robot);
+    } else {
+      passable.put(robot, now);
+    }
+  }
+
+  /** Whether one that the robot may not go over is on what it has been told to drive. */
+  boolean isAhead(String robot, FloorTraffic traffic) {
+    BitSet cells = cells();
+    cells.andNot(passable.getOrDefault(robot, new BitSet()));
+    return !cells.isEmpty() && traffic.isAhead(robot, cells);
   }
 
   List<LeftLoad> views() {
@@ -111,7 +133,9 @@ final class LeftLoads {
     Mission mission = load.mission();
     return new LeftLoad(
         mission.id(),
+        mission.loadRecord(),
         mission.task().name(),
+        mission.task().load(),
         load.where(),
         mission.task().size(),
         Phrase.LEFT_LOAD.with(Sentence.of(load.where())));

@@ -2,6 +2,7 @@ package org.toqa.fleet.floor;
 
 import java.time.Duration;
 import java.time.Instant;
+import java.time.temporal.ChronoUnit;
 import java.util.ArrayList;
 import java.util.BitSet;
 import java.util.HashSet;
@@ -14,8 +15,10 @@ import java.util.Set;
 import java.util.function.IntPredicate;
 import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
+import org.toqa.fleet.FloorView.SeenObstacle;
 import org.toqa.geometry.Vec2;
 import org.toqa.grid.Cell;
+import org.toqa.grid.CellRuns;
 import org.toqa.grid.OccupancyGrid;
 
 /**
@@ -173,6 +176,31 @@ public final class ObstacleMap {
           }
         });
     return cells;
+  }
+
+  /** Each with its age, in the order in which they were seen first. */
+  List<SeenObstacle> views() {
+    Map<Obstacle, List<Mark>> byObstacle = new LinkedHashMap<>();
+    marks
+        .values()
+        .forEach(mark -> byObstacle.computeIfAbsent(mark.obstacle(), _ -> new ArrayList<>()).add(mark));
+    return byObstacle.entrySet().stream().map(e -> view(e.getKey(), e.getValue())).toList();
+  }
+
+  private SeenObstacle view(Obstacle obstacle, List<Mark> parts) {
+    BitSet cells = new BitSet();
+    parts.forEach(mark -> cells.set(grid.index(mark.cell())));
+    return new SeenObstacle(
+        CellRuns.of(cells),
+        parts.stream().flatMap(m -> m.sightings().keySet().stream()).distinct().sorted().toList(),
+        obstacle.since(),
+        parts.stream()
+            .flatMap(mark -> mark.sightings().values().stream())
+            .map(Sighting::last)
+            .max(Instant::compareTo)
+            .orElse(obstacle.since())
+            .truncatedTo(ChronoUnit.SECONDS),
+        parts.stream().noneMatch(Mark::isBelieved));
   }
 
   private boolean isOffWalls(Vec2 point) {

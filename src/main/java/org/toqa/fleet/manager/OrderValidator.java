@@ -1,11 +1,8 @@
 package org.toqa.fleet.manager;
 
-import static java.util.Objects.requireNonNull;
-
 import java.time.Instant;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.CompletableFuture;
@@ -23,11 +20,9 @@ import org.toqa.fleet.RobotOrder;
 import org.toqa.fleet.RobotRecord;
 import org.toqa.fleet.TaskOrder;
 import org.toqa.fleet.TaskOrder.Where;
+import org.toqa.fleet.floor.PlaceCheck;
 import org.toqa.geometry.Vec2;
-import org.toqa.grid.Cell;
-import org.toqa.grid.Disc;
 import org.toqa.grid.FloorMap;
-import org.toqa.grid.Inflation;
 import org.toqa.grid.OccupancyGrid;
 import org.toqa.grid.Place;
 import org.toqa.mission.Mission;
@@ -38,15 +33,9 @@ import org.toqa.wording.Sentence;
 
 /** Checks orders against the floors before anything of them is stored. Any thread may ask. */
 final class OrderValidator {
-  /** Half the diameter of the smallest robot there is, metres: where it cannot be, none can. */
-  static final double SMALLEST_RADIUS = 0.1275;
-
   private final List<FloorMap> floors;
   private final Set<String> gateways;
   private final PathQuery paths;
-
-  /** By floor: where the middle of the smallest robot can be. */
-  private final Map<String, OccupancyGrid> standable;
 
   /**
    * @param floors at least one; the first is the default
@@ -56,11 +45,6 @@ final class OrderValidator {
     this.floors = List.copyOf(floors);
     this.gateways = Set.copyOf(gateways);
     this.paths = paths;
-    this.standable =
-        floors.stream()
-            .collect(
-                Collectors.toUnmodifiableMap(
-                    FloorMap::name, f -> Inflation.inflate(f.grid(), SMALLEST_RADIUS)));
   }
 
   /**
@@ -148,7 +132,7 @@ final class OrderValidator {
           new Answer.Accepted<>(new PathAnswer(floor.name(), straight)));
     }
     return paths
-        .findPath(grid, from.position(), to.position(), 2 * SMALLEST_RADIUS, check)
+        .findPath(grid, from.position(), to.position(), 2 * PlaceCheck.SMALLEST_RADIUS, check)
         .thenApply(
             path ->
                 switch (path) {
@@ -174,7 +158,7 @@ final class OrderValidator {
       TransportTask task, OrderChecks.Check check) {
     OccupancyGrid grid = floor(task.floor()).orElseThrow().grid();
     return paths
-        .findPath(grid, task.start().position(), task.goal().position(), 2 * SMALLEST_RADIUS, check)
+        .findPath(grid, task.start().position(), task.goal().position(), 2 * PlaceCheck.SMALLEST_RADIUS, check)
         .thenApply(
             path ->
                 switch (path) {
@@ -326,36 +310,13 @@ final class OrderValidator {
   }
 
   private Answer<TaskPlace> checkStandable(FloorMap floor, Phrase end, TaskPlace place) {
-    OccupancyGrid grid = floor.grid();
-    Cell cell = grid.cellAt(place.position());
-    if (!grid.contains(cell)) {
-      Vec2 low = grid.origin();
-      Vec2 high = low.plus(new Vec2(grid.width(), grid.height()).times(grid.resolution()));
-      return new Answer.Rejected<>(
-          fieldOf(end),
-          Phrase.LIES_OFF_MAP.with(
-              end.with(), place.sentence(), Sentence.of(low), Sentence.of(high)));
-    }
-    if (!canStand(floor, place.position())) {
-      return new Answer.Rejected<>(
-          fieldOf(end), Phrase.LIES_IN_WALL.with(end.with(), place.sentence()));
-    }
-    return new Answer.Accepted<>(place);
+    return PlaceCheck.objection(floor.grid(), end, place)
+        .<Answer<TaskPlace>>map(why -> new Answer.Rejected<>(fieldOf(end), why))
+        .orElseGet(() -> new Answer.Accepted<>(place));
   }
 
   private static String fieldOf(Phrase end) {
     return end == Phrase.START ? "start" : "goal";
-  }
-
-  /** Whether the smallest robot can be on the point itself, or in the middle of its cell. */
-  private boolean canStand(FloorMap floor, Vec2 point) {
-    OccupancyGrid grid = floor.grid();
-    return standable(floor).isFree(grid.cellAt(point))
-        || new Disc(SMALLEST_RADIUS).isFreeAt(grid, point);
-  }
-
-  private OccupancyGrid standable(FloorMap floor) {
-    return requireNonNull(standable.get(floor.name()));
   }
 
   private Sentence floorNames() {

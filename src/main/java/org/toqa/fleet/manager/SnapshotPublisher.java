@@ -13,11 +13,14 @@ import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 import org.toqa.allocation.PathLengths;
 import org.toqa.allocation.WaitExplainer;
+import org.toqa.allocation.Zone;
 import org.toqa.fleet.FleetSnapshot;
 import org.toqa.fleet.FloorView;
 import org.toqa.fleet.RobotView;
 import org.toqa.fleet.TaskView;
 import org.toqa.fleet.floor.FloorEvent;
+import org.toqa.geometry.Vec2;
+import org.toqa.grid.OccupancyGrid;
 import org.toqa.wording.Sentence;
 
 /** Publishes snapshots of the whole fleet. */
@@ -116,7 +119,13 @@ final class SnapshotPublisher {
   private List<FloorView> floorViews() {
     return fleet.floors.keySet().stream()
         .flatMap(floor -> Stream.ofNullable(fleet.reports.get(floor)))
-        .map(FloorEvent.FloorReport::floor)
+        .map(report -> report.floor().withZones(zones(report.floor().name())))
         .toList();
+  }
+
+  private List<Zone> zones(String floor) {
+    OccupancyGrid grid = requireNonNull(fleet.floorMaps.get(floor)).grid();
+    Vec2 size = new Vec2(grid.width(), grid.height()).times(grid.resolution());
+    return Zone.of(grid.origin(), grid.origin().plus(size), fleet.candidates(floor));
   }
 }

@@ -9,6 +9,7 @@ import org.toqa.allocation.Decision;
 import org.toqa.allocation.TeamSize;
 import org.toqa.fleet.RobotCapabilities;
 import org.toqa.fleet.TaskPreview;
+import org.toqa.fleet.floor.PlaceCheck;
 import org.toqa.geometry.Vec2;
 import org.toqa.grid.OccupancyGrid;
 import org.toqa.mission.Mission;
@@ -101,7 +102,7 @@ final class TaskPreviewer {
             grid,
             task.start().position(),
             task.goal().position(),
-            2 * OrderValidator.SMALLEST_RADIUS,
+            2 * PlaceCheck.SMALLEST_RADIUS,
             check)
         .thenApply(
             path ->

@@ -43,10 +43,9 @@ import org.toqa.wording.Sentence;
  * cycle somebody can always go on.
  *
  * <p>Confined to one thread; paths are planned by another, and adopted when they are ready and
- * still fit. It knows no clock: time is handed in. Points and poses are in metres and radians,
- * counter-clockwise from map east, in the map frame. A robot must be known here, by {@link
- * #reportStanding}, before anything else is said or asked of it: else that is an {@link
- * IllegalArgumentException}.
+ * still fit. It knows no clock: time is handed in. Points and poses are in the map frame. A robot
+ * must be known here, by {@link #reportStanding}, before anything else is said or asked of it: else
+ * that is an {@link IllegalArgumentException}.
  *
  * <ol>
  *   <li>Tell it what is so: {@link #reportStanding}, {@link #reportProgress}, {@link #setGoal},
@@ -65,7 +64,7 @@ public final class FloorTraffic {
   private final WaitChains waitChains = new WaitChains();
   private final ReplanTrigger trigger = new ReplanTrigger();
   private final Map<String, TrafficRobot> robots = new TreeMap<>();
-  private BitSet obstacles = new BitSet();
+  private Obstacles obstacles = Obstacles.NONE;
   private int robotCount;
 
   /**
@@ -255,13 +254,14 @@ public final class FloorTraffic {
    *
    * @param cells all that are obstructed now, as bits by {@link OccupancyGrid#index}; instead of
    *     those told before
+   * @param passable by robot, those of the cells that do not count for it
    */
-  public void setObstacles(BitSet cells) {
-    if (!cells.equals(obstacles)) {
-      obstacles = (BitSet) cells.clone();
+  public void setObstacles(BitSet cells, Map<String, BitSet> passable) {
+    if (!cells.equals(obstacles.cells()) || !passable.equals(obstacles.passable())) {
+      obstacles = new Obstacles((BitSet) cells.clone(), passable);
       trigger.markChanged();
       robots.values().stream()
-          .filter(robot -> robot.drive.hasUnreleasedOn(cells))
+          .filter(robot -> robot.drive.hasUnreleasedOn(obstacles.of(robot.name)))
           .forEach(this::freeUnreleased);
     }
   }
@@ -288,8 +288,6 @@ public final class FloorTraffic {
     }
     return robot;
   }
-
-  // --- what can be read -------------------------------------------------------------------------
 
   /** Whether the robot is stopped at its goal. */
   public boolean isAtGoal(String name) {
@@ -326,7 +324,15 @@ public final class FloorTraffic {
 
   /** Whether an obstacle is on what it has been released and not driven yet. */
   public boolean isObstacleAhead(String name) {
-    return robot(name).drive.hasAheadOn(obstacles);
+    return isAhead(name, obstacles.of(name));
+  }
+
+  public boolean isAhead(String name, BitSet cells) {
+    return robot(name).drive.hasAheadOn(cells);
+  }
+
+  public boolean isUnder(String name, BitSet cells) { // as it stands now
+    return robot(name).standingArea().cells(grid, 0).intersects(cells);
   }
 
   /** Robots that do not get on as they should, each in one of these at most. */
@@ -343,8 +349,6 @@ public final class FloorTraffic {
         ? RemainingPath.NONE
         : RemainingPath.of(path, drive.completed(), drive.released(), robot.pose());
   }
-
-  // --- decisions --------------------------------------------------------------------------------
 
   /** Has paths planned for whoever needs one, and releases what can be. */
   public List<DriveCommand> decide(Instant now) {
@@ -367,8 +371,8 @@ public final class FloorTraffic {
   }
 
   private void release(Instant now) {
-    boolean isPlanned = pathAssigner.isPlanningJointly();
-    robots.values().forEach(robot -> releaser.release(robot, isPlanned, now));
+    boolean planned = pathAssigner.isPlanningJointly();
+    robots.values().forEach(robot -> releaser.release(robot, planned, now));
   }
 
   private void freeUnreleased(TrafficRobot robot) {

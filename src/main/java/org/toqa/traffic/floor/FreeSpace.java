@@ -2,7 +2,9 @@ package org.toqa.traffic.floor;
 
 import java.util.ArrayList;
 import java.util.BitSet;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
 import org.toqa.geometry.Pose;
 import org.toqa.geometry.Vec2;
 import org.toqa.grid.BySize;
@@ -19,17 +21,25 @@ final class FreeSpace {
   private final BitSet walls;
   private static final double ROUNDING = 1e-6;
 
-  private BitSet obstacles = new BitSet();
+  private Obstacles obstacles = Obstacles.NONE;
   private BitSet blocked;
 
-  private final BySize<OccupancyGrid> freeOfWalls = new BySize<>();
+  private final BySize<OccupancyGrid> freeOfWalls;
   private final BySize<OccupancyGrid> freeCells = new BySize<>();
   private final BySize<List<Cell>> discOffsets = new BySize<>();
   private final BySize<LaneGrid> laneGrid = new BySize<>();
   private final BySize<RoadGraph> laneRoads = new BySize<>();
 
+  /** The floor as it is for some robots, by the cells of obstacles that count for these. */
+  private final Map<BitSet, FreeSpace> others = new HashMap<>();
+
   FreeSpace(OccupancyGrid grid) {
+    this(grid, new BySize<>());
+  }
+
+  private FreeSpace(OccupancyGrid grid, BySize<OccupancyGrid> freeOfWalls) {
     this.grid = grid;
+    this.freeOfWalls = freeOfWalls;
     this.walls = grid.occupied();
     this.blocked = walls;
   }
@@ -38,21 +48,34 @@ final class FreeSpace {
     return grid;
   }
 
-  /** Whether it differs from what was known. */
-  boolean setObstacles(BitSet cells) {
-    if (cells.equals(obstacles)) {
-      return false;
+  void setObstacles(Obstacles now) {
+    boolean isChanged = !now.cells().equals(obstacles.cells());
+    obstacles = now;
+    if (isChanged) {
+      blocked = (BitSet) walls.clone();
+      blocked.or(now.cells());
+      freeCells.clear();
+      laneRoads.clear();
+      others.clear();
     }
-    obstacles = (BitSet) cells.clone();
-    blocked = (BitSet) walls.clone();
-    blocked.or(obstacles);
-    freeCells.clear();
-    laneRoads.clear();
-    return true;
+  }
+
+  /** The floor as it is for a robot, for which some obstacles may be none. */
+  FreeSpace seenBy(TrafficRobot robot) {
+    BitSet counting = obstacles.of(robot.name);
+    return counting == obstacles.cells()
+        ? this
+        : others.computeIfAbsent(counting, this::withObstacles);
+  }
+
+  private FreeSpace withObstacles(BitSet cells) {
+    FreeSpace space = new FreeSpace(grid, freeOfWalls);
+    space.setObstacles(new Obstacles(cells, Map.of()));
+    return space;
   }
 
   BitSet obstacles() {
-    return obstacles;
+    return obstacles.cells();
   }
 
   /** Walls and obstacles; not to be changed. */
@@ -71,7 +94,7 @@ final class FreeSpace {
         radius,
         r -> {
           OccupancyGrid free = freeOfWalls(r);
-          return obstacles.isEmpty() ? free : alsoBlocked(free, inflated(obstacles, r));
+          return obstacles().isEmpty() ? free : alsoBlocked(free, inflated(obstacles(), r));
         });
   }
 

@@ -2,7 +2,6 @@ package org.toqa.traffic.floor;
 
 import java.time.Duration;
 import java.time.Instant;
-import java.util.BitSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
@@ -82,10 +81,9 @@ final class PathAssigner {
    * Pictures the floor and has paths planned, if any are needed and no plan is being made.
    *
    * @param standstills those that are known now
-   * @param obstacles not to be changed afterwards
    * @return whether it did
    */
-  boolean requestPlan(List<Standstill> standstills, BitSet obstacles, Instant now) {
+  boolean requestPlan(List<Standstill> standstills, Obstacles obstacles, Instant now) {
     updateWaits(now);
     if (pending != null) {
       return false;
@@ -130,14 +128,14 @@ final class PathAssigner {
    *
    * @param obstacles those that are there now
    */
-  void adoptPlan(BitSet obstacles, Instant now) {
+  void adoptPlan(Obstacles obstacles, Instant now) {
     Pending ready = pending;
     if (ready == null || !ready.plan().isDone()) {
       return;
     }
     pending = null;
     FloorPlan plan = result(ready);
-    boolean isWhole = adopter.adopt(plan, obstacles);
+    boolean isWhole = adopter.adopt(plan, obstacles.cells());
     trigger.recordPlan(plan, isWhole);
     if (plan.isJoint()) {
       robots.values().stream()

@@ -84,9 +84,9 @@ final class PlanAdopter {
    */
   boolean adopt(FloorPlan plan, BitSet obstacles) {
     BitSet newObstacles = new BitSet();
-    if (!obstacles.equals(plan.request().obstacles())) {
+    if (!obstacles.equals(plan.request().obstacles().cells())) {
       newObstacles.or(obstacles);
-      newObstacles.andNot(plan.request().obstacles());
+      newObstacles.andNot(plan.request().obstacles().cells());
     }
     Adoption adoption = new Adoption(plan, newObstacles);
     adoptFindings(adoption);

@@ -1,7 +1,6 @@
 package org.toqa.traffic.floor;
 
 import java.time.Instant;
-import java.util.BitSet;
 import java.util.List;
 import java.util.Set;
 
@@ -10,14 +9,13 @@ import java.util.Set;
  * read it.
  *
  * @param now the moment
- * @param obstacles the cells, as bits by {@link org.toqa.grid.OccupancyGrid#index}
  * @param robots all, by name; copies that nobody changes
  * @param dueForOwnPath the names of those that are to be looked for a path of their own
  * @param need whether all are to be planned together
  */
 record PlanningRequest(
     Instant now,
-    BitSet obstacles,
+    Obstacles obstacles,
     List<TrafficRobot> robots,
     Set<String> dueForOwnPath,
     ReplanTrigger.Need need) {}

@@ -129,7 +129,7 @@ final class SingleRobotPlanner {
     Vec2 goal = robot.goal();
     return goal == null
         ? Optional.empty()
-        : formationPlanner.path(robot, formation, goal, freeSpace.blocked(), claimed);
+        : formationPlanner.path(robot, formation, goal, freeSpace.seenBy(robot).blocked(), claimed);
   }
 
   /**
@@ -152,7 +152,7 @@ final class SingleRobotPlanner {
   private @Nullable Cell nearestOutside(
       OccupancyGrid free, Cell start, TrafficRobot robot, List<SweptArea> left) {
     RoadGraph roads = new RoadGraph(free);
-    LanePoints points = freeSpace.points(robot.radius());
+    LanePoints points = freeSpace.seenBy(robot).points(robot.radius());
     int[] found = {RoadGraph.NONE};
     roads.visitByDistance(
         roads.vertex(start),
@@ -192,7 +192,7 @@ final class SingleRobotPlanner {
 
   private OccupancyGrid freeCells(TrafficRobot robot, double room, List<SweptArea> claimed) {
     SweptArea standing = robot.areaAt(robot.committedEnd());
-    return freeSpace.freeCells(robot.radius(), room, claimed, standing, robot.committedCell());
+    return freeSpace.seenBy(robot).freeCells(robot.radius(), room, claimed, standing, robot.committedCell());
   }
 
   /** Clear of walls and obstacles; straight to a goal that is near, else over cells. */
@@ -243,14 +243,15 @@ final class SingleRobotPlanner {
    */
   private boolean isClear(TrafficRobot robot, List<Section> sections) {
     OccupancyGrid grid = freeSpace.grid();
+    BitSet blocked = freeSpace.seenBy(robot).blocked();
     Pose pose = robot.committedEnd();
     BitSet touched = new BitSet();
     robot.areaAt(pose).cells(grid, 0).addTo(touched);
-    touched.and(freeSpace.blocked());
+    touched.and(blocked);
     if (touched.isEmpty()) {
-      return isClearOf(sections, freeSpace.blocked());
+      return isClearOf(sections, blocked);
     }
-    BitSet others = (BitSet) freeSpace.blocked().clone();
+    BitSet others = (BitSet) blocked.clone();
     others.andNot(touched);
     double gap = robot.radius();
     for (int i = touched.nextSetBit(0); i >= 0; i = touched.nextSetBit(i + 1)) {
@@ -278,7 +279,7 @@ final class SingleRobotPlanner {
     if (!exit.equals(goal) && robot.goal() != null) {
       waypoints.add(new Waypoint(robot.goal(), false));
     } else if (waypoints.isEmpty()) {
-      Vec2 point = freeSpace.points(robot.radius()).goalPoint(robot);
+      Vec2 point = freeSpace.seenBy(robot).points(robot.radius()).goalPoint(robot);
       waypoints.add(new Waypoint(point == null ? grid.centre(goal) : point, false)); // in its cell
     }
     return path.map(p -> waypoints);
@@ -295,7 +296,7 @@ final class SingleRobotPlanner {
         cells.add(step.cell());
       }
     }
-    LanePoints points = freeSpace.points(robot.radius());
+    LanePoints points = freeSpace.seenBy(robot).points(robot.radius());
     return points.waypoints(cells, 0, points.goalPoint(robot), turns::get);
   }
 
@@ -305,7 +306,7 @@ final class SingleRobotPlanner {
    */
   private Cell entry(OccupancyGrid free, TrafficRobot robot) {
     Cell here = robot.committedCell();
-    return freeSpace.freeCells(robot.radius()).isFree(here) && isOpen(free, here)
+    return freeSpace.seenBy(robot).freeCells(robot.radius()).isFree(here) && isOpen(free, here)
         ? here
         : nearestCell(
             robot.committedEnd().position(), here, c -> !c.equals(here) && free.isFree(c));
@@ -366,7 +367,7 @@ final class SingleRobotPlanner {
             .filter(sections -> !sections.isEmpty() && isAcceptable.test(sections))
             .toList();
     return Clearance.WALL_STEPS.stream()
-        .flatMap(room -> fits.stream().filter(sections -> freeSpace.hasRoom(robot, sections, room)))
+        .flatMap(room -> fits.stream().filter(sections -> freeSpace.seenBy(robot).hasRoom(robot, sections, room)))
         .findFirst()
         .or(() -> fits.stream().findFirst());
   }

@@ -69,7 +69,7 @@ final class WaitReasonFinder {
       int touched =
           SweptArea.at(point, robot.radius())
               .cells(freeSpace.grid(), 0)
-              .firstIn(freeSpace.obstacles());
+              .firstIn(freeSpace.seenBy(robot).obstacles());
       if (touched >= 0) {
         return new WaitReason.ObstacleOnPath(
             freeSpace.grid().centre(freeSpace.grid().cell(touched)));

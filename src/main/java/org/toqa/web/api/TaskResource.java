@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.function.BiFunction;
 import org.toqa.fleet.TaskOrder;
 import org.toqa.fleet.TaskView;
+import org.toqa.grid.FloorMap;
 import org.toqa.mission.MissionEvent;
 import org.toqa.mission.TransportTask;
 import org.toqa.web.FleetAnswers;
@@ -111,6 +112,15 @@ public final class TaskResource extends ApiHandler {
         request,
         response,
         user -> read(request, (reader, fields) -> reader.readAnswer(user, fields.text("answer"))));
+  }
+
+  public static void moveLoad(HttpServletRequest request, HttpServletResponse response)
+      throws IOException {
+    FloorMap floor = new Tasks(services(request)).floorOf(changeableTask(request));
+    change(
+        request,
+        response,
+        user -> read(request, (reader, fields) -> reader.readMove(user, fields, floor)));
   }
 
   public static void removeLoad(HttpServletRequest request, HttpServletResponse response)

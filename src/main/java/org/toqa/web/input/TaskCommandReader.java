@@ -1,12 +1,19 @@
 package org.toqa.web.input;
 
 import org.jspecify.annotations.Nullable;
+import org.toqa.fleet.TaskOrder.Where;
 import org.toqa.fleet.TaskView;
+import org.toqa.geometry.Vec2;
+import org.toqa.grid.FloorMap;
+import org.toqa.grid.Place;
 import org.toqa.mission.LoadChoice;
 import org.toqa.mission.MissionEvent;
 import org.toqa.mission.Reply;
+import org.toqa.mission.TaskPlace;
 import org.toqa.web.Texts;
 import org.toqa.web.access.Caller;
+import org.toqa.wording.Phrase;
+import org.toqa.wording.Sentence;
 
 /** Reads what a person wants of a task, from a form or from the wire. */
 public final class TaskCommandReader {
@@ -49,6 +56,31 @@ public final class TaskCommandReader {
       Caller caller, @Nullable Double priority, @Nullable Integer seen) {
     return new MissionEvent.Prioritise(
         caller.name(), new InputRules(texts, errors).requiredPriority("priority", priority), seen);
+  }
+
+  /**
+   * It means something only when no error was filed.
+   *
+   * @param floor of the task
+   */
+  public MissionEvent.MoveLoad readMove(Caller caller, Fields fields, FloorMap floor) {
+    TaskPlace place =
+        switch (fields.place("place")) {
+          case Where.Point(Vec2 point) -> new TaskPlace(point, null);
+          case Where.Station(String name) ->
+              floor.stations().stream()
+                  .filter(station -> station.name().equals(name))
+                  .findFirst()
+                  .map(station -> new TaskPlace(station.position(), station.name()))
+                  .orElseGet(() -> unknownStation(name, floor));
+        };
+    return new MissionEvent.MoveLoad(caller.name(), place);
+  }
+
+  private TaskPlace unknownStation(String name, FloorMap floor) {
+    Sentence known = Sentence.names(floor.stations().stream().map(Place::name).toList());
+    errors.add("place", texts.text(Phrase.NO_SUCH_STATION.with(name, known)));
+    return new TaskPlace(Vec2.ZERO, null);
   }
 
   /** It means something only when no error was filed. */

@@ -3,10 +3,13 @@ package org.toqa.web.live;
 import java.time.Instant;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
+import org.toqa.allocation.Zone;
 import org.toqa.fleet.FloorView;
 import org.toqa.fleet.FloorView.ChargerShortage;
 import org.toqa.fleet.FloorView.FaultyCharger;
+import org.toqa.fleet.FloorView.HeldLoad;
 import org.toqa.fleet.FloorView.LeftLoad;
+import org.toqa.fleet.FloorView.SeenObstacle;
 import org.toqa.fleet.FloorView.StandstillView;
 import org.toqa.geometry.Vec2;
 import org.toqa.web.api.HoldJson;
@@ -24,7 +27,19 @@ record FloorJson(
     List<StandstillJson> standstills,
     List<FaultyCharger> faultyChargers,
     List<LeftLoad> leftLoads,
-    @Nullable ChargerShortage chargerShortage) {
+    @Nullable ChargerShortage chargerShortage,
+    List<SeenJson> seen,
+    List<HeldLoad> heldLoads,
+    List<Zone> zones) {
+
+  /** An obstacle that robots see or have seen. */
+  record SeenJson(
+      List<Integer> cells, List<String> robots, Instant since, Instant last, boolean doubted) {
+    static SeenJson of(SeenObstacle view) {
+      return new SeenJson(
+          view.cells().runs(), view.robots(), view.since(), view.last(), view.isDoubted());
+    }
+  }
 
   /** Cells that stay reserved for a lost robot. */
   record KeptJson(String robot, List<Integer> cells) {}
@@ -46,6 +61,9 @@ record FloorJson(
         view.standstills().stream().map(StandstillJson::of).toList(),
         view.faultyChargers(),
         view.leftLoads(),
-        view.chargerShortage());
+        view.chargerShortage(),
+        view.seen().stream().map(SeenJson::of).toList(),
+        view.heldLoads(),
+        view.zones());
   }
 }

@@ -9,6 +9,7 @@ import java.util.Optional;
 import java.util.Set;
 import org.toqa.fleet.OrderView;
 import org.toqa.fleet.TaskView;
+import org.toqa.grid.FloorMap;
 import org.toqa.mission.MissionEvent;
 import org.toqa.mission.TaskState;
 import org.toqa.web.ErrorResponse;
@@ -84,6 +85,18 @@ public final class TaskPage extends PageHandler {
         request,
         response,
         (reader, fields, user, task) -> reader.readAnswer(user, fields.text("answer")));
+  }
+
+  public static void moveLoad(HttpServletRequest request, HttpServletResponse response)
+      throws ServletException, IOException {
+    change(
+        request,
+        response,
+        (reader, fields, user, task) -> reader.readMove(user, fields, floorOf(request, task)));
+  }
+
+  private static FloorMap floorOf(HttpServletRequest request, TaskView task) {
+    return new Tasks(services(request)).floorOf(task);
   }
 
   public static void removeLoad(HttpServletRequest request, HttpServletResponse response)
@@ -221,6 +234,7 @@ public final class TaskPage extends PageHandler {
         new Orders(services(request)).of(List.of(task)).values().stream().findFirst().orElse(null);
     request.setAttribute("order", order);
     request.setAttribute("isStopped", order != null && order.isStopped(task));
+    request.setAttribute("stations", floorOf(request, task).stations());
     request.setAttribute("version", Version.of(task));
     request.setAttribute("mayChange", TaskCommandReader.canChange(Caller.of(request), task));
     request.setAttribute(

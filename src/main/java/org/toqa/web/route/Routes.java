@@ -26,6 +26,7 @@ import org.toqa.web.api.FloorResource;
 import org.toqa.web.api.HealthResource;
 import org.toqa.web.api.HistoryResource;
 import org.toqa.web.api.ImportResource;
+import org.toqa.web.api.LoadsResource;
 import org.toqa.web.api.MapResource;
 import org.toqa.web.api.MetricsResource;
 import org.toqa.web.api.OpenApiResource;
@@ -58,6 +59,7 @@ import org.toqa.web.page.ForgottenPasswordPage;
 import org.toqa.web.page.HistoryPage;
 import org.toqa.web.page.ImportPage;
 import org.toqa.web.page.LanguageSwitch;
+import org.toqa.web.page.LoadsPage;
 import org.toqa.web.page.LoginPage;
 import org.toqa.web.page.LogoutForm;
 import org.toqa.web.page.MapPage;
@@ -109,7 +111,9 @@ public final class Routes {
           post("/tasks/{id}/resume", CLERK, TaskPage::resume),
           post("/tasks/{id}/priority", CLERK, TaskPage::prioritise),
           post("/tasks/{id}/answer", CLERK, TaskPage::answer),
+          post("/tasks/{id}/load-moved", CLERK, TaskPage::moveLoad),
           post("/tasks/{id}/load-removed", CLERK, TaskPage::removeLoad),
+          get("/loads", CLERK, LoadsPage::show),
           get("/orders/{id}", CLERK, OrderPage::show),
           post("/orders/{id}/cancel", CLERK, OrderPage::cancel),
           post("/orders/{id}/retry", CLERK, OrderPage::retry),
@@ -175,7 +179,9 @@ public final class Routes {
           post("/api/v1/tasks/{id}/resume", CLERK, TaskResource::resume),
           post("/api/v1/tasks/{id}/priority", CLERK, TaskResource::prioritise),
           post("/api/v1/tasks/{id}/answer", CLERK, TaskResource::answer),
+          post("/api/v1/tasks/{id}/load-moved", CLERK, TaskResource::moveLoad),
           post("/api/v1/tasks/{id}/load-removed", CLERK, TaskResource::removeLoad),
+          get("/api/v1/loads", CLERK, LoadsResource::list),
           get("/api/v1/orders", CLERK, OrdersResource::list),
           post("/api/v1/orders", CLERK, OrdersResource::add),
           get("/api/v1/orders/{id}", CLERK, OrderResource::get),

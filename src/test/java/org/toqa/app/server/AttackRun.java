@@ -70,6 +70,7 @@ final class AttackRun implements AutoCloseable {
     manager = server.signedIn(AttackedServer.MANAGER);
     csrf = manager.csrf();
     addWaitingTask();
+    addLeftLoad();
     tasks = new CarriedTasks(manager, Attack.SCRIPT.text());
     server.addUser(OWN);
     places.put("own", String.valueOf(server.userId(OWN)));
@@ -127,6 +128,32 @@ final class AttackRun implements AutoCloseable {
     assertEquals(200, manager.postJson("api/v1/tasks/" + waiting + "/hold", "").statusCode());
     commandRobots("in-service");
     places.put("waiting", waiting);
+  }
+
+  /** An ended task whose load lies on the floor. */
+  private void addLeftLoad() throws InterruptedException {
+    HttpResponse<String> answer = manager.postJson("api/v1/tasks", ORDER);
+    assertEquals(201, answer.statusCode(), answer.body());
+    String left = JSON.readTree(answer.body()).get("id").asString();
+    awaitState(left, "CARRYING");
+    String here = "{\"load\":\"here\"}";
+    assertEquals(200, manager.postJson("api/v1/tasks/" + left + "/cancel", here).statusCode());
+    awaitState(left, "CANCELLED");
+    places.put("left", left);
+    String aside = "{\"place\":{\"station\":\"Store B\"}}";
+    String path = "api/v1/tasks/" + left + "/load-moved";
+    assertEquals(200, manager.postJson(path, aside).statusCode());
+  }
+
+  private void awaitState(String task, String state) throws InterruptedException {
+    long end = System.nanoTime() + Duration.ofMinutes(1).toNanos();
+    while (!JSON.readTree(manager.get("api/v1/tasks/" + task).body())
+        .path("state")
+        .asString()
+        .equals(state)) {
+      assertTrue(System.nanoTime() < end, () -> task + " is never " + state);
+      TimeUnit.MILLISECONDS.sleep(10);
+    }
   }
 
   private void commandRobots(String command) {

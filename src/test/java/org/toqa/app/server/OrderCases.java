@@ -49,6 +49,11 @@ final class OrderCases {
         post("tasks/preview", TASK, task(""), 200),
         new OrderCase("PUT", "tasks/{waiting}", TASK, task(""), 200),
         post("tasks/{held}/cancel", "{'load':null}", Map.of("/load", REFUSED), 200),
+        post(
+            "tasks/{left}/load-moved",
+            "{'place':{'station':'Store B'}}",
+            Map.of("/place/station", REFUSED),
+            200),
         post("tasks/{held}/answer", "{'answer':'wait'}", Map.of("/answer", REFUSED), 409),
         post(
             "orders",

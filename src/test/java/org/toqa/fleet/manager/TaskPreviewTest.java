@@ -20,6 +20,7 @@ import org.toqa.fleet.RobotState;
 import org.toqa.fleet.TaskOrder;
 import org.toqa.fleet.TaskOrder.Where;
 import org.toqa.fleet.TaskPreview;
+import org.toqa.fleet.floor.PlaceCheck;
 import org.toqa.geometry.Vec2;
 import org.toqa.grid.Disc;
 import org.toqa.grid.FloorMap;
@@ -73,7 +74,7 @@ class TaskPreviewTest {
 
     assertEquals(at("Mill"), told.path().getFirst());
     assertEquals(at("Goods-out"), told.path().getLast());
-    Disc robot = new Disc(OrderValidator.SMALLEST_RADIUS);
+    Disc robot = new Disc(PlaceCheck.SMALLEST_RADIUS);
     for (int i = 1; i < told.path().size(); i++) {
       Vec2 from = told.path().get(i - 1);
       Vec2 step = told.path().get(i).minus(from);

@@ -176,14 +176,14 @@ final class Crowd {
       int cell = floor.grid.index(floor.grid.cellAt(middles.get(random.nextInt(middles.size()))));
       if (floor.traffic.robotsAt(cell).isEmpty()) {
         obstacles.set(cell);
-        floor.traffic.setObstacles(obstacles);
+        floor.traffic.setObstacles(obstacles, Map.of());
       }
     }
   }
 
   private void driveToLastGoals() {
     obstacles.clear();
-    floor.traffic.setObstacles(obstacles);
+    floor.traffic.setObstacles(obstacles, Map.of());
     floor.bodies.values().forEach(body -> body.isStuck = false);
     takePlaces()
         .forEach(

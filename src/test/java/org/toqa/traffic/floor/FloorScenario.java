@@ -162,8 +162,8 @@ final class FloorScenario {
       }
       case "leaves" -> floor.remove(robot);
       case "joins" -> join(floor, robot, words[3]);
-      case "at" -> floor.traffic.setObstacles(cells(words[2], floor.grid));
-      case "" -> floor.traffic.setObstacles(new BitSet());
+      case "at" -> floor.traffic.setObstacles(cells(words[2], floor.grid), Map.of());
+      case "" -> floor.traffic.setObstacles(new BitSet(), Map.of());
       default -> throw new IllegalArgumentException("What is " + String.join(" ", words) + "?");
     }
   }

@@ -11,6 +11,7 @@ import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.BitSet;
 import java.util.List;
+import java.util.Map;
 import java.util.Queue;
 import org.junit.jupiter.api.Test;
 import org.toqa.geometry.Pose;
@@ -143,7 +144,7 @@ class PathAssignerTest {
     tick();
     BitSet obstacle = new BitSet();
     obstacle.set(floor.index(new Cell(3, 1)));
-    traffic.setObstacles(obstacle);
+    traffic.setObstacles(obstacle, Map.of());
     makePlan();
     assertEquals(List.of(), tick());
     makePlan();

@@ -65,7 +65,7 @@ class PlanAdopterTest {
     ReplanTrigger.Need need = new ReplanTrigger.Need(true, false, false, true, false);
     plan =
         new FloorPlan(
-            new PlanningRequest(NOW, new BitSet(), pictured, Set.of(), need),
+            new PlanningRequest(NOW, Obstacles.NONE, pictured, Set.of(), need),
             List.of(
                 ProposedPath.of(pictured.getFirst(), planned.getFirst()),
                 ProposedPath.of(pictured.getLast(), planned.getLast())),

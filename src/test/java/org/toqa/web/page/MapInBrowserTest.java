@@ -6,6 +6,7 @@ import com.microsoft.playwright.Locator;
 import com.microsoft.playwright.Page;
 import com.microsoft.playwright.assertions.LocatorAssertions;
 import com.microsoft.playwright.options.ColorScheme;
+import java.time.Instant;
 import java.util.List;
 import java.util.Map;
 import org.junit.jupiter.api.Test;
@@ -16,6 +17,7 @@ import org.toqa.grid.CellRuns;
 import org.toqa.link.message.AgentMessage.Fault;
 import org.toqa.testbed.Hall;
 import org.toqa.web.WebTestServer;
+import org.toqa.mission.LoadRecord;
 import org.toqa.wording.Phrase;
 import org.toqa.wording.Sentence;
 
@@ -145,7 +147,9 @@ class MapInBrowserTest extends PagesInBrowser {
                 List.of(
                     new FloorView.LeftLoad(
                         77,
+                        new LoadRecord(77, Instant.EPOCH),
                         "Drums",
+                        5,
                         new Vec2(9, 4),
                         null,
                         Phrase.LEFT_LOAD.with(Sentence.of(new Vec2(9, 4))))),

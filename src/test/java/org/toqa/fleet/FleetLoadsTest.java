@@ -1,0 +1,143 @@
+package org.toqa.fleet;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertInstanceOf;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.List;
+import java.util.Objects;
+import org.junit.jupiter.api.Test;
+import org.toqa.fleet.TaskOrder.Where;
+import org.toqa.geometry.Vec2;
+import org.toqa.grid.Cell;
+import org.toqa.mission.LoadChoice;
+import org.toqa.mission.MissionEvent;
+import org.toqa.mission.TaskPlace;
+import org.toqa.mission.TaskState;
+
+/** Loads as things: each is the same one wherever it is, and in the way where it was set down. */
+class FleetLoadsTest extends HallFleetTest {
+  private static final Cell DOOR_CELL = GRID.cellAt(DOOR);
+
+  @Test
+  void robotsWaitForALoadInTheOnlyDoorAlsoAfterTheServerWasKilled() throws Exception {
+    setDownInTheDoor();
+
+    stage.restart();
+    long through = submit("West", "East");
+
+    until(view -> waitReason(view, through).contains("an obstacle"));
+    FleetSnapshot waiting = stage.fleet.snapshots().latest();
+    assertTrue(waitReason(waiting, through).contains("(4.50, 1.50)"));
+    accepted(stage.fleet.commandTask(left().task(), new MissionEvent.RemoveLoad("Max")));
+    until(view -> task(view, through).state() == TaskState.DONE);
+  }
+
+  @Test
+  void nobodyButWhoFetchesItDrivesToALoadThatLiesThere() throws Exception {
+    setDownInTheDoor();
+    reopenWith("r2", new Vec2(2.5, 0.5), "P2");
+    until(view -> view.robots().stream().allMatch(r -> r.state() == RobotState.IDLE));
+
+    long fetching = submit(new Where.Point(place(left())), new Where.Station("East"));
+    until(view -> !task(view, fetching).robots().isEmpty());
+    long through = submit("West", "East");
+
+    until(
+        view -> {
+          boolean isFetched = task(view, fetching).state() != TaskState.ASSIGNED
+              && task(view, fetching).state() != TaskState.TO_OBJECT;
+          String fetcher = task(view, fetching).robots().getFirst();
+          for (String other : List.of("r1", "r2")) {
+            assertTrue(
+                isFetched
+                    || other.equals(fetcher)
+                    || !DOOR_CELL.equals(GRID.cellAt(scriptedRobot(other).position())),
+                other);
+          }
+          return task(view, fetching).state() == TaskState.DONE
+              && task(view, through).state() == TaskState.DONE;
+        });
+  }
+
+  @Test
+  void aLoadStaysTheSameOneFromTaskToTask() throws Exception {
+    long task = submit("West", "East");
+    until(view -> load(view, task).robots().equals(List.of("r1")));
+    assertEquals(null, load(stage.fleet.snapshots().latest(), task).place());
+    setDownInTheDoor(task);
+    LoadView left = left();
+    assertEquals(task, left.id());
+    assertTrue(left.isLeft());
+
+    long again = submit(new Where.Point(place(left)), new Where.Station("East"));
+    until(view -> Objects.equals(load(view, task).fetchedBy(), again));
+    until(view -> task(view, again).state() == TaskState.CARRYING);
+
+    LoadView carried = load(stage.fleet.snapshots().latest(), task);
+    assertEquals(again, carried.task());
+    assertTrue(carried.load().since().isAfter(left.load().since()));
+    stage.restart();
+    until(view -> task(view, again).state() == TaskState.RETURNING);
+    assertEquals(
+        new TaskPlace(new Vec2(8.5, 2.5), "East"),
+        load(stage.fleet.snapshots().latest(), task).place());
+    until(view -> LoadView.of(view).isEmpty());
+  }
+
+  @Test
+  void aLoadLiesWhereAPersonSaysAndTheRobotThatStandsThereGetsOut() throws Exception {
+    setDownInTheDoor();
+    long task = left().task();
+
+    assertInstanceOf(
+        Answer.Rejected.class, answer(stage.fleet.commandTask(task, moved(new Vec2(4.5, 0.5)))));
+    accepted(stage.fleet.commandTask(task, moved(scriptedRobot("r1").position())));
+    until(view -> scriptedRobot("r1").position().distanceTo(place(left())) < 0.01);
+    long other = submit("East", "West");
+
+    until(view -> task(view, other).state() == TaskState.DONE || isPast(6));
+    assertEquals(
+        "Max said that the load lies at (0.50, 0.50) now", history("task.load-moved").getLast());
+    assertFalse(LoadView.of(stage.fleet.snapshots().latest()).isEmpty());
+  }
+
+  private static MissionEvent.MoveLoad moved(Vec2 where) {
+    return new MissionEvent.MoveLoad("Max", new TaskPlace(where, null));
+  }
+
+  private void setDownInTheDoor() throws Exception {
+    setDownInTheDoor(submit("West", "East"));
+  }
+
+  private void setDownInTheDoor(long task) throws Exception {
+    until(view -> task(view, task).state() == TaskState.CARRYING && isPast(3));
+    accepted(stage.fleet.commandTask(task, new MissionEvent.Cancel("Max", LoadChoice.HERE)));
+    until(view -> task(view, task).state() == TaskState.CANCELLED);
+    until(view -> LoadView.of(view).stream().anyMatch(LoadView::isLeft));
+    until(view -> scriptedRobot("r1").position().distanceTo(WEST) < 1e-6); // it got off it
+    until(view -> robot(view, "r1").state() == RobotState.IDLE);
+    accepted(stage.fleet.commandTask(task, moved(DOOR)));
+    until(view -> place(left()).equals(DOOR));
+  }
+
+  private boolean isPast(double x) {
+    return scriptedRobot("r1").isDriving() && scriptedRobot("r1").position().x() > x;
+  }
+
+  private static Vec2 place(LoadView load) {
+    return Objects.requireNonNull(load.place()).position();
+  }
+
+  private LoadView left() {
+    return LoadView.of(stage.fleet.snapshots().latest()).stream()
+        .filter(LoadView::isLeft)
+        .findFirst()
+        .orElseThrow();
+  }
+
+  private static LoadView load(FleetSnapshot view, long id) {
+    return LoadView.of(view).stream().filter(load -> load.id() == id).findFirst().orElseThrow();
+  }
+}
