@@ -52,9 +52,12 @@ public record Disc(double radius) {
       for (int column = Math.max(0, upperLeft.column()); column <= lastColumn; column++) {
         Cell cell = new Cell(column, row);
         Vec2 centre = grid.centre(cell);
-        double distance =
-            distanceToSquare(from.minus(centre), to.minus(centre), grid.resolution() / 2);
-        if (distance < radius - ROUNDING * grid.resolution()) {
+        double half = grid.resolution() / 2;
+        double limit = radius - ROUNDING * grid.resolution();
+        double toCentre = centre.distanceToLine(from, to);
+        if (toCentre < limit
+            || (toCentre < limit + 2 * half
+                && distanceToSquare(from.minus(centre), to.minus(centre), half) < limit)) {
           touched.add(cell);
         }
       }
@@ -97,7 +100,9 @@ public record Disc(double radius) {
   }
 
   private static double pointToSquare(Vec2 p, double half) {
-    return Math.hypot(Math.max(0, Math.abs(p.x()) - half), Math.max(0, Math.abs(p.y()) - half));
+    double east = Math.max(0, Math.abs(p.x()) - half);
+    double north = Math.max(0, Math.abs(p.y()) - half);
+    return Math.sqrt(east * east + north * north);
   }
 
   // Clips the line's parameter to both slabs of the square (Liang and Barsky, 1984).

@@ -66,6 +66,7 @@ final class FloorPlanner {
     Map<String, TrafficRobot> robots = new TreeMap<>();
     request.robots().forEach(pictured -> robots.put(pictured.name, pictured.copy()));
     freeSpace.setObstacles(request.obstacles());
+    singleRobotPlanner.keepFormations(robots.values());
     rightOfWay.update(robots.values(), request.now());
     rightOfWay.freePathsOver(robots.values());
     ClaimedAreas claimed = new ClaimedAreas(robots.values());
@@ -93,11 +94,14 @@ final class FloorPlanner {
                 .thenComparing(
                     robot -> robot.waiting.since(), nullsLast(Comparator.<Instant>naturalOrder())))
         .toList()
-        .forEach(robot -> planSingleRobot(robot, robots, claimed));
+        .forEach(robot -> planSingleRobot(robot, robots, claimed, request.now()));
   }
 
   private void planSingleRobot(
-      TrafficRobot robot, Collection<TrafficRobot> robots, ClaimedAreas claimedAreas) {
+      TrafficRobot robot,
+      Collection<TrafficRobot> robots,
+      ClaimedAreas claimedAreas,
+      Instant now) {
     List<SweptArea> claimed = claimedAreas.ofOthers(robot);
     if (!robot.name.equals(rightOfWay.holder())) {
       claimed.addAll(rightOfWay.closedTo(robot));
@@ -106,7 +110,7 @@ final class FloorPlanner {
           .forEach(other -> claimed.addAll(other.waiting.wanted()));
     }
     singleRobotPlanner
-        .pathAmong(robot, claimed)
+        .pathNow(robot, claimed, now)
         .ifPresent(
             sections -> {
               robot.continueOn(ReservedPath.independent(robot.committedEnd(), sections));

@@ -3,6 +3,7 @@ package org.toqa.traffic.floor;
 import java.util.BitSet;
 import java.util.List;
 import org.toqa.geometry.Pose;
+import org.toqa.geometry.Vec2;
 import org.toqa.grid.Disc;
 import org.toqa.grid.OccupancyGrid;
 import org.toqa.motion.Segment;
@@ -100,10 +101,32 @@ final class FormationClearance {
 
   /** Whether it can be there on its way, with a margin. */
   boolean isKeptAt(Pose leader) {
-    boolean isAroundStart = leader.distanceTo(start) < AROUND_START;
-    return formation.isClearOf(grid, leader, isAroundStart ? marginAtStart : MARGIN, solid)
-        && (formation.isClearOf(grid, leader, 0, nearClaimed)
-            || isOffClaimed(SweptArea.at(formation.discs(leader))));
+    return isKeptAt(Vec2.ZERO, formation.placement(leader));
+  }
+
+  /**
+   * @param beside from where the placement is told, metres, map frame
+   */
+  boolean isKeptAt(Vec2 beside, FormationFootprint.Placement placement) {
+    Pose leader = placement.leader();
+    double east = beside.x() + leader.x() - start.x();
+    double north = beside.y() + leader.y() - start.y();
+    boolean isAroundStart = east * east + north * north < AROUND_START * AROUND_START;
+    double margin = isAroundStart ? marginAtStart : MARGIN;
+    return formation.isClearOf(grid, beside, placement, margin, solid)
+        && (formation.isClearOf(grid, beside, placement, 0, nearClaimed)
+            || isOffClaimed(
+                SweptArea.at(
+                    formation.discs(
+                        new Pose(
+                            beside.x() + leader.x(),
+                            beside.y() + leader.y(),
+                            leader.theta())))));
+  }
+
+  /** The formation as it is where its leader is at a pose, which may be told from any point. */
+  FormationFootprint.Placement placement(Pose leader) {
+    return formation.placement(leader);
   }
 
   private boolean isOffClaimed(SweptArea area) {

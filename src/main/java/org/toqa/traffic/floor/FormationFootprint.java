@@ -53,6 +53,21 @@ public final class FormationFootprint {
     }
   }
 
+  /** Where its discs are while the leader is at a pose, which may be told from any point. */
+  static final class Placement {
+    private final Pose leader;
+    private final double[] middles; // x and y of each
+
+    private Placement(Pose leader, double[] middles) {
+      this.leader = leader;
+      this.middles = middles;
+    }
+
+    Pose leader() {
+      return leader;
+    }
+  }
+
   private FormationFootprint(Shape shape, List<Part> parts) {
     this.shape = shape;
     this.parts.addAll(parts);
@@ -112,16 +127,41 @@ public final class FormationFootprint {
    * @param margin metres that it must keep besides
    */
   boolean isClearOf(OccupancyGrid grid, Pose leader, double margin, BitSet cells) {
-    double cos = Math.cos(leader.theta());
-    double sin = Math.sin(leader.theta());
-    for (Part part : parts) {
-      double x = leader.x() + part.offset().x() * cos - part.offset().y() * sin;
-      double y = leader.y() + part.offset().x() * sin + part.offset().y() * cos;
-      if (!isClearOf(grid, x, y, part.radius() + margin, cells)) {
+    return isClearOf(grid, Vec2.ZERO, placement(leader), margin, cells);
+  }
+
+  /**
+   * The same where it is placed beside a point.
+   *
+   * @param beside metres, map frame
+   */
+  boolean isClearOf(
+      OccupancyGrid grid, Vec2 beside, Placement placement, double margin, BitSet cells) {
+    for (int i = 0; i < parts.size(); i++) {
+      double x = beside.x() + placement.middles[2 * i];
+      double y = beside.y() + placement.middles[2 * i + 1];
+      if (!isClearOf(grid, x, y, parts.get(i).radius() + margin, cells)) {
         return false;
       }
     }
     return true;
+  }
+
+  /** The formation as it is where its leader is at a pose. */
+  Placement placement(Pose leader) {
+    return new Placement(leader, middles(leader));
+  }
+
+  private double[] middles(Pose leader) {
+    double cos = Math.cos(leader.theta());
+    double sin = Math.sin(leader.theta());
+    double[] middles = new double[2 * parts.size()];
+    for (int i = 0; i < parts.size(); i++) {
+      Vec2 offset = parts.get(i).offset();
+      middles[2 * i] = leader.x() + offset.x() * cos - offset.y() * sin;
+      middles[2 * i + 1] = leader.y() + offset.x() * sin + offset.y() * cos;
+    }
+    return middles;
   }
 
   private static boolean isClearOf(

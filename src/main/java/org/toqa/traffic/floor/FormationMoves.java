@@ -1,9 +1,11 @@
 package org.toqa.traffic.floor;
 
+import java.util.ArrayList;
 import java.util.List;
 import org.toqa.formation.Shape;
 import org.toqa.geometry.Pose;
 import org.toqa.geometry.Twist;
+import org.toqa.geometry.Vec2;
 
 /**
  * How a formation can be led over its lattice: a move is a step along the heading, or a corner of
@@ -29,6 +31,13 @@ final class FormationMoves {
   private final byte[] open;
   private final byte[] openSteps;
 
+  /** By state, two bits a corner. */
+  private final byte[] openCorners;
+
+  /** By heading and eighths turned, the latter and 2: where it is looked at, from the state on. */
+  private final FormationFootprint.Placement[][][] onMoves =
+      new FormationFootprint.Placement[8][5][];
+
   FormationMoves(FormationLattice lattice, Shape shape, FormationClearance clearance) {
     this.lattice = lattice;
     this.shape = shape;
@@ -37,6 +46,7 @@ final class FormationMoves {
     this.spacing = clearance.spacing();
     this.open = new byte[lattice.stateCount()];
     this.openSteps = new byte[open.length];
+    this.openCorners = new byte[open.length];
   }
 
   /** Is given moves, as the state at their other end and their length, metres. */
@@ -51,10 +61,11 @@ final class FormationMoves {
     if (ahead >= 0 && isStepOpen(state)) {
       visitor.visit(ahead, lattice.length(heading));
     }
-    for (int eighths : CORNERS) {
+    for (int corner = 0; corner < CORNERS.length; corner++) {
+      int eighths = CORNERS[corner];
       int next = heading + eighths & 7;
       int end = along(along(state, heading, heading, eighths), next, next, eighths);
-      if (end >= 0 && isCornerOpen(state, eighths, end)) {
+      if (end >= 0 && isCornerOpen(state, corner, end)) {
         visitor.visit(end, cornerLength(heading, eighths));
       }
     }
@@ -67,11 +78,12 @@ final class FormationMoves {
     if (behind >= 0 && isOpen(behind) && isStepOpen(behind)) {
       visitor.visit(behind, lattice.length(heading));
     }
-    for (int eighths : CORNERS) {
+    for (int corner = 0; corner < CORNERS.length; corner++) {
+      int eighths = CORNERS[corner];
       int before = heading - eighths & 7;
-      int corner = along(state, heading + 4 & 7, heading, eighths);
-      int from = back(along(corner, before + 4 & 7, before, eighths), before);
-      if (from >= 0 && isOpen(from) && isCornerOpen(from, eighths, state)) {
+      int middle = along(state, heading + 4 & 7, heading, eighths);
+      int from = back(along(middle, before + 4 & 7, before, eighths), before);
+      if (from >= 0 && isOpen(from) && isCornerOpen(from, corner, state)) {
         visitor.visit(from, cornerLength(before, eighths));
       }
     }
@@ -91,24 +103,51 @@ final class FormationMoves {
 
   private boolean isStepOpen(int state) {
     if (openSteps[state] == 0) {
-      boolean isOpen = isOpenAlong(lattice.pose(state), lattice.length(state & 7), 0);
-      openSteps[state] = (byte) (isOpen ? 1 : 2);
+      openSteps[state] = (byte) (isOpenOnMove(state, 0) ? 1 : 2);
     }
     return openSteps[state] == 1;
   }
 
-  private boolean isCornerOpen(int state, int eighths, int end) {
+  private boolean isCornerOpen(int state, int corner, int end) {
     if (!isOpen(end)) {
       return false;
     }
-    Pose pose = lattice.pose(state);
-    for (Twist piece : corner(state & 7, eighths)) {
-      if (!isOpenAlong(pose, piece.vx(), piece.w())) {
+    int known = openCorners[state] >> 2 * corner & 3;
+    if (known == 0) {
+      known = isOpenOnMove(state, CORNERS[corner]) ? 1 : 2;
+      openCorners[state] |= (byte) (known << 2 * corner);
+    }
+    return known == 1;
+  }
+
+  private boolean isOpenOnMove(int state, int eighths) {
+    Vec2 point = lattice.pose(state).position();
+    for (FormationFootprint.Placement placement : onMove(state & 7, eighths)) {
+      if (!clearance.isKeptAt(point, placement)) {
         return false;
       }
-      pose = pose.advanced(piece, 1);
     }
     return true;
+  }
+
+  private FormationFootprint.Placement[] onMove(int heading, int eighths) {
+    FormationFootprint.Placement[] known = onMoves[heading][eighths + 2];
+    if (known == null) {
+      List<FormationFootprint.Placement> placements = new ArrayList<>();
+      Pose pose = new Pose(0, 0, heading * EIGHTH);
+      for (Twist piece : move(heading, eighths)) {
+        pose = addAlong(pose, piece, placements);
+      }
+      known = placements.toArray(FormationFootprint.Placement[]::new);
+      onMoves[heading][eighths + 2] = known;
+    }
+    return known;
+  }
+
+  private List<Twist> move(int heading, int eighths) {
+    return eighths == 0
+        ? List.of(new Twist(lattice.length(heading), 0, 0))
+        : corner(heading, eighths);
   }
 
   /** A straight, an arc of the smallest radius, and a straight: metres, and radians turned. */
@@ -153,18 +192,17 @@ final class FormationMoves {
     return at;
   }
 
-  /** Whether the leader can be led from there so many metres, round so many radians. */
-  private boolean isOpenAlong(Pose from, double length, double angle) {
-    double farthest = length + Math.abs(angle) * shape.reach(); // that any robot drives
+  /** Where it is looked at on a piece of a move, none before its start; returns its end. */
+  private Pose addAlong(
+      Pose from, Twist twist, List<FormationFootprint.Placement> placements) {
+    double farthest = twist.vx() + Math.abs(twist.w()) * shape.reach(); // that any robot drives
     int pieces = Math.max(1, (int) Math.ceil(farthest / spacing));
-    Twist piece = new Twist(length / pieces, 0, angle / pieces);
+    Twist piece = new Twist(twist.vx() / pieces, 0, twist.w() / pieces);
     Pose pose = from;
     for (int i = 0; i < pieces; i++) {
       pose = pose.advanced(piece, 1);
-      if (!clearance.isKeptAt(pose)) {
-        return false;
-      }
+      placements.add(clearance.placement(pose));
     }
-    return true;
+    return pose;
   }
 }

@@ -1,8 +1,15 @@
 package org.toqa.traffic.floor;
 
+import java.time.Duration;
+import java.time.Instant;
 import java.util.BitSet;
+import java.util.HashMap;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
+import java.util.stream.Stream;
 import org.toqa.formation.Shape;
 import org.toqa.formation.TrajectoryRules;
 import org.toqa.geometry.Angles;
@@ -10,6 +17,7 @@ import org.toqa.geometry.Pose;
 import org.toqa.geometry.Vec2;
 import org.toqa.grid.OccupancyGrid;
 import org.toqa.motion.DriveSpeeds;
+import org.toqa.motion.Segment;
 import org.toqa.motion.Trajectory;
 
 /**
@@ -30,8 +38,72 @@ final class FormationPlanner {
   static final List<Double> MARGINS =
       List.of(FormationClearance.MARGIN, FormationClearance.LEAST_MARGIN);
 
+  /** What was searched in vain among others is not searched sooner again. */
+  private static final Duration SHORTEST_PAUSE = Duration.ofSeconds(2);
+
+  /** It is searched again after twice as long each time, and that at most. */
+  private static final Duration LONGEST_PAUSE = Duration.ofSeconds(16);
+
+  /** So many searches of a robot's are remembered, besides that among nobody. */
+  private static final int REMEMBERED = 3;
+
   private final OccupancyGrid grid;
   private final SectionFitter fitter;
+
+  /** By robot: what was found since nothing changed but the others. */
+  private final Map<String, Found> found = new HashMap<>();
+
+  /** What a search depends on, but for what others have or will need. */
+  private record Question(
+      FormationFootprint formation, Pose start, Vec2 goal, BitSet solid, DriveSpeeds speeds) {
+    boolean isSameAs(Question other) {
+      return formation == other.formation
+          && solid.equals(other.solid)
+          && start.equals(other.start)
+          && goal.equals(other.goal)
+          && speeds.equals(other.speeds);
+    }
+  }
+
+  private static final class Found {
+    final Question question;
+
+    /** Were nobody else there. */
+    final Optional<Course> alone;
+
+    /** By what others had or would need, the oldest first. */
+    final Map<List<SweptArea>, Optional<Trajectory>> among = new LinkedHashMap<>();
+
+    /** Until then it is not searched among others for who wants to set out. */
+    private Instant pauseEnd = Instant.MIN;
+
+    private Duration pause = SHORTEST_PAUSE;
+
+    Found(Question question, Optional<Course> alone) {
+      this.question = question;
+      this.alone = alone;
+    }
+
+    boolean isPause(Instant now) {
+      return pauseEnd.isAfter(now);
+    }
+
+    void pause(Instant now) {
+      pauseEnd = now.plus(pause);
+      pause = pause.compareTo(LONGEST_PAUSE) < 0 ? pause.multipliedBy(2) : pause;
+    }
+
+    /** What was found and may be free now, that alone first. */
+    Stream<Trajectory> trajectories() {
+      return Stream.concat(
+          alone.map(Course::trajectory).stream(), among.values().stream().flatMap(Optional::stream));
+    }
+  }
+
+  /**
+   * @param margin kept from walls round the start, metres
+   */
+  private record Course(Trajectory trajectory, double margin) {}
 
   FormationPlanner(OccupancyGrid grid, SectionFitter fitter) {
     this.grid = grid;
@@ -55,10 +127,12 @@ final class FormationPlanner {
   }
 
   /**
-   * The shortest path on which the formation meets nothing.
+   * The shortest path on which the formation meets nothing, with the margin round its start that it
+   * had alone. What is asked again is not searched again, as where no other robot has changed
+   * either.
    *
    * @param goal where the load is carried, metres, map frame
-   * @param solid walls and obstacles
+   * @param solid walls and obstacles; nobody changes them afterwards
    * @param claimed what others have or will need
    */
   Optional<List<Section>> path(
@@ -67,16 +141,107 @@ final class FormationPlanner {
       Vec2 goal,
       BitSet solid,
       List<SweptArea> claimed) {
-    Pose start = robot.committedEnd();
+    Found known = found(robot, formation, goal, solid);
+    Optional<Trajectory> trajectory = known.alone.map(Course::trajectory);
+    return (claimed.isEmpty() || trajectory.isEmpty() ? trajectory : among(known, claimed))
+        .map(t -> sections(robot, t));
+  }
+
+  /**
+   * One that is free now: what is known, or what is searched, but not at once again where that was
+   * in vain: a search among many that drive looks at much of the floor. For who waits long its way
+   * is cleared ({@link RightOfWay}), which is known and takes no search.
+   */
+  Optional<List<Section>> freePath(
+      TrafficRobot robot,
+      FormationFootprint formation,
+      Vec2 goal,
+      BitSet solid,
+      List<SweptArea> claimed,
+      Instant now) {
+    Found known = found(robot, formation, goal, solid);
+    if (known.alone.isEmpty()) {
+      return Optional.empty();
+    }
+    Optional<Trajectory> free =
+        known.trajectories().filter(t -> isFree(known.question, t, claimed)).findFirst();
+    if (free.isEmpty() && !known.isPause(now)) {
+      free = trajectory(known.question, claimed, known.alone.get().margin);
+      if (free.isEmpty()) {
+        known.pause(now);
+      }
+    }
+    return free.map(t -> sections(robot, t));
+  }
+
+  private Found found(
+      TrafficRobot robot, FormationFootprint formation, Vec2 goal, BitSet solid) {
+    Question question =
+        new Question(formation, robot.committedEnd(), goal, solid, robot.speeds());
+    Found known = found.get(robot.name);
+    if (known == null || !known.question.isSameAs(question)) {
+      known = new Found(question, alone(question));
+      found.put(robot.name, known);
+    }
+    return known;
+  }
+
+  private Optional<Course> alone(Question question) {
     return MARGINS.stream()
-        .map(margin -> new FormationClearance(grid, formation, start, solid, claimed, margin))
         .flatMap(
-            clearance ->
-                trajectory(
-                    grid, formation.shape(), start, goal, robot.speeds(), clearance, new BitSet())
-                    .stream())
-        .map(trajectory -> sections(robot, trajectory))
+            margin ->
+                trajectory(question, List.of(), margin).map(t -> new Course(t, margin)).stream())
         .findFirst();
+  }
+
+  private Optional<Trajectory> among(Found known, List<SweptArea> claimed) {
+    Course alone = known.alone.orElseThrow();
+    Optional<Trajectory> same = known.among.get(claimed);
+    if (same != null) {
+      return same;
+    }
+    Optional<Trajectory> trajectory =
+        isFree(known.question, alone.trajectory, claimed)
+            ? Optional.of(alone.trajectory)
+            : trajectory(known.question, claimed, alone.margin);
+    if (known.among.size() == REMEMBERED) {
+      known.among.remove(known.among.keySet().iterator().next());
+    }
+    known.among.put(List.copyOf(claimed), trajectory);
+    return trajectory;
+  }
+
+  /** Whether others are nowhere on a path. */
+  private static boolean isFree(
+      Question question, Trajectory trajectory, List<SweptArea> claimed) {
+    SweptArea standing = SweptArea.at(question.formation.discs(question.start));
+    Pose pose = trajectory.start();
+    for (Segment segment : trajectory.segments()) {
+      SweptArea swept = question.formation.sweptArea(pose, segment);
+      if (!claimed.stream().allMatch(area -> Clearance.isKept(standing, swept, area))) {
+        return false;
+      }
+      pose = pose.advanced(segment.twist(), segment.t());
+    }
+    return true;
+  }
+
+  private Optional<Trajectory> trajectory(
+      Question question, List<SweptArea> claimed, double margin) {
+    FormationFootprint formation = question.formation;
+    return trajectory(
+        grid,
+        formation.shape(),
+        question.start,
+        question.goal,
+        question.speeds,
+        new FormationClearance(grid, formation, question.start, question.solid, claimed, margin),
+        new BitSet());
+  }
+
+  /** Forgets robots that lead no formation any more. */
+  void keepOnly(Set<String> formations) {
+    found.keySet().retainAll(formations);
   }
 
   /**

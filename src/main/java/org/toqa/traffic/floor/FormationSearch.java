@@ -38,7 +38,11 @@ final class FormationSearch {
   /** Metres; no curve onto the lattice ends farther from the start. */
   private static final double NEAR_START = LONGEST_ENTRY * Math.sqrt(2);
 
-  private static final int FEW_STATES = 2_000;
+  /** After so many states it is first looked at whether few lead to the goal. */
+  private static final int FEW_STATES = 500;
+
+  /** So many times as many are looked at, from both ends, before that is asked again. */
+  private static final int MORE_STATES = 4;
 
   /** Of its arcs, in smallest radii: the wider, the less the followers swing out. */
   private static final int[] ENTRY_RADII = {1, 2, 4};
@@ -106,6 +110,7 @@ final class FormationSearch {
     this.dead = dead;
     enter();
     int expanded = 0;
+    int next = FEW_STATES;
     while (!openList.isEmpty()) {
       SearchLimit.check();
       int state = openList.pop();
@@ -113,13 +118,16 @@ final class FormationSearch {
         continue;
       }
       reached.clear(state);
-      if (++expanded == FEW_STATES && isGoalClosed()) {
-        break;
+      if (++expanded == next) {
+        if (isGoalClosed(next)) {
+          break;
+        }
+        next *= MORE_STATES;
       }
       if (isGoal(lattice.pose(state))) {
         return Optional.of(trajectoryTo(state));
       }
-      moves.forEachFrom(state, (next, length) -> reach(next, state, lengths[state] + length));
+      moves.forEachFrom(state, (end, length) -> reach(end, state, lengths[state] + length));
     }
     addReachedTo(dead);
     return arcToGoal();
@@ -136,8 +144,10 @@ final class FormationSearch {
   /**
    * Whether few states lead to the goal, and the start is far from all of them: then there is no
    * need to look at the whole floor.
+   *
+   * @param few states, at most
    */
-  private boolean isGoalClosed() {
+  private boolean isGoalClosed(int few) {
     BitSet seen = new BitSet();
     Deque<Integer> next = new ArrayDeque<>();
     lattice.forEachPointAround(
@@ -156,7 +166,7 @@ final class FormationSearch {
     while (!next.isEmpty()) {
       int state = next.remove();
       Vec2 point = lattice.pose(state).position();
-      if (++count > FEW_STATES || point.distanceTo(start.position()) < NEAR_START) {
+      if (++count > few || point.distanceTo(start.position()) < NEAR_START) {
         return false;
       }
       moves.forEachInto(

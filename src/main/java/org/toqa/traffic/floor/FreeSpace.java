@@ -114,13 +114,7 @@ final class FreeSpace {
     BitSet more = free.occupied();
     for (SweptArea area : claimed) {
       double apart = radius + Clearance.needed(standing, area) - ROUNDING;
-      area.cells(grid, Math.max(0, apart))
-          .forEach(
-              i -> {
-                if (area.gapTo(grid.centre(grid.cell(i))) < apart) {
-                  more.set(i);
-                }
-              });
+      area.middlesWithin(grid, apart).addTo(more);
     }
     more.clear(grid.index(here));
     return grid.withOccupied(more);

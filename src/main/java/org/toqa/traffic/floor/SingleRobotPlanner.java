@@ -1,5 +1,6 @@
 package org.toqa.traffic.floor;
 
+import java.time.Instant;
 import java.util.ArrayList;
 import java.util.BitSet;
 import java.util.Collection;
@@ -7,6 +8,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.function.DoubleFunction;
 import java.util.function.Predicate;
+import java.util.stream.Collectors;
 import java.util.stream.DoubleStream;
 import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
@@ -26,9 +28,6 @@ import org.toqa.traffic.RoadGraph;
  * A robot's own shortest path in eight headings, smooth, as if it were alone or round the others.
  */
 final class SingleRobotPlanner {
-  /** So many cells beside the robot and its goal its path over cells may begin and end. */
-  private static final int BESIDE = 2;
-
   /** So many lane cells from its goal a robot may go straight there, in any heading. */
   private static final int NEAR = 3;
 
@@ -39,12 +38,14 @@ final class SingleRobotPlanner {
 
   private final FreeSpace freeSpace;
   private final SectionFitter fitter;
+  private final PathEnds ends;
   private final FormationPlanner formationPlanner;
   private final PathPlanner planner = new HeadingAStar();
 
   SingleRobotPlanner(FreeSpace freeSpace, SectionFitter fitter) {
     this.freeSpace = freeSpace;
     this.fitter = fitter;
+    this.ends = new PathEnds(freeSpace);
     this.formationPlanner = new FormationPlanner(freeSpace.grid(), fitter);
   }
 
@@ -101,7 +102,7 @@ final class SingleRobotPlanner {
     OccupancyGrid free = freeSpace.freeOfWalls(robot.radius());
     return goal == null
         ? List.of()
-        : path(free, entry(free, robot), goal).stream()
+        : path(free, ends.entry(free, robot), goal).stream()
             .flatMap(path -> path.cells().stream())
             .map(grid::centre)
             .toList();
@@ -122,6 +123,25 @@ final class SingleRobotPlanner {
       return formationPath(robot, formation, claimed);
     }
     return pathAmong(robot, claimed, (free, start) -> goal);
+  }
+
+  /** Forgets what it knows of robots that lead no formation any more. */
+  void keepFormations(Collection<TrafficRobot> robots) {
+    formationPlanner.keepOnly(
+        robots.stream()
+            .filter(TrafficRobot::isFormation)
+            .map(robot -> robot.name)
+            .collect(Collectors.toSet()));
+  }
+
+  /** One that keeps off what is claimed, for who wants to set out now. */
+  Optional<List<Section>> pathNow(TrafficRobot robot, List<SweptArea> claimed, Instant now) {
+    FormationFootprint formation = robot.formation();
+    Vec2 goal = robot.goal();
+    return formation == null || goal == null
+        ? pathAmong(robot, claimed)
+        : formationPlanner.freePath(
+            robot, formation, goal, freeSpace.seenBy(robot).blocked(), claimed, now);
   }
 
   private Optional<List<Section>> formationPath(
@@ -173,7 +193,7 @@ final class SingleRobotPlanner {
   private Optional<List<Section>> pathAmong(
       TrafficRobot robot, double room, List<SweptArea> claimed, GoalChoice aim) {
     OccupancyGrid free = freeCells(robot, room, claimed);
-    Cell goal = aim.from(free, entry(free, robot));
+    Cell goal = aim.from(free, ends.entry(free, robot));
     if (goal == null) {
       return Optional.empty();
     }
@@ -220,7 +240,7 @@ final class SingleRobotPlanner {
   private List<Waypoint> viaCellCentre(
       OccupancyGrid free, TrafficRobot robot, List<Waypoint> waypoints) {
     List<Waypoint> longer = new ArrayList<>(waypoints);
-    longer.addFirst(new Waypoint(freeSpace.grid().centre(entry(free, robot)), true));
+    longer.addFirst(new Waypoint(freeSpace.grid().centre(ends.entry(free, robot)), true));
     return longer;
   }
 
@@ -268,8 +288,8 @@ final class SingleRobotPlanner {
   /** Where the path of a robot bends and ends; empty where there is none. */
   private Optional<List<Waypoint>> waypoints(OccupancyGrid free, TrafficRobot robot, Cell goal) {
     OccupancyGrid grid = freeSpace.grid();
-    Cell entry = entry(free, robot);
-    Cell exit = exit(free, robot, goal);
+    Cell entry = ends.entry(free, robot);
+    Cell exit = ends.exit(free, robot, goal);
     List<Waypoint> waypoints = new ArrayList<>();
     if (!entry.equals(robot.committedCell())) {
       waypoints.add(new Waypoint(grid.centre(entry), false));
@@ -298,42 +318,6 @@ final class SingleRobotPlanner {
     }
     LanePoints points = freeSpace.seenBy(robot).points(robot.radius());
     return points.waypoints(cells, 0, points.goalPoint(robot), turns::get);
-  }
-
-  /**
-   * The cell in which its path over cells begins: where it is, or beside that where the middle of
-   * its cell is too near to something.
-   */
-  private Cell entry(OccupancyGrid free, TrafficRobot robot) {
-    Cell here = robot.committedCell();
-    return freeSpace.seenBy(robot).freeCells(robot.radius()).isFree(here) && isOpen(free, here)
-        ? here
-        : nearestCell(
-            robot.committedEnd().position(), here, c -> !c.equals(here) && free.isFree(c));
-  }
-
-  private static boolean isOpen(OccupancyGrid free, Cell cell) {
-    return free.isFree(cell.column() + 1, cell.row())
-        || free.isFree(cell.column() - 1, cell.row())
-        || free.isFree(cell.column(), cell.row() + 1)
-        || free.isFree(cell.column(), cell.row() - 1);
-  }
-
-  /** The cell in which its path over cells ends: that of the goal, or beside it likewise. */
-  private Cell exit(OccupancyGrid free, TrafficRobot robot, Cell goal) {
-    Vec2 point = robot.goal();
-    boolean isFine = LaneGrid.side(freeSpace.grid(), 2 * robot.radius()) > 1;
-    return isFine && !free.isFree(goal) && point != null && goal.equals(robot.goalCell())
-        ? nearestCell(point, goal, free::isFree)
-        : goal;
-  }
-
-  /** The cell nearest to a point, of those beside its cell that are right; else that one itself. */
-  private Cell nearestCell(Vec2 point, Cell here, Predicate<Cell> isRight) {
-    return freeSpace.grid().cellsAround(point, BESIDE).stream()
-        .filter(isRight)
-        .findFirst()
-        .orElse(here);
   }
 
   private Optional<Path> path(OccupancyGrid free, Cell start, Cell goal) {

@@ -2,6 +2,8 @@ package org.toqa.traffic.floor;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.stream.IntStream;
+import org.jspecify.annotations.Nullable;
 import org.toqa.geometry.Pose;
 import org.toqa.geometry.Vec2;
 import org.toqa.grid.Disc;
@@ -22,8 +24,23 @@ final class SweptArea {
   private final double south;
   private final double north;
 
+  /** What was found last; any thread may find it again. */
+  private volatile @Nullable Middles middles;
+
+  private record Middles(OccupancyGrid grid, double near, CellSet cells) {}
+
   /** A disc that is moved from one point to another, which may be the same; metres, map frame. */
   private record Piece(Vec2 from, Vec2 to, double radius) {
+
+    IntStream middlesWithin(OccupancyGrid grid, double near) {
+      double reach = radius + near;
+      return reach <= 0 // deep in each other, as where one was put on another
+          ? IntStream.empty()
+          : new Disc(reach)
+              .cellsAlong(grid, from, to).stream()
+                  .filter(cell -> grid.centre(cell).distanceToLine(from, to) < reach)
+                  .mapToInt(grid::index);
+    }
 
     double gapTo(Piece other) {
       return Vec2.distanceBetweenLines(from, to, other.from, other.to) - radius - other.radius;
@@ -46,6 +63,16 @@ final class SweptArea {
     this.east = right;
     this.south = bottom;
     this.north = top;
+  }
+
+  @Override
+  public boolean equals(Object other) {
+    return other instanceof SweptArea area && pieces.equals(area.pieces);
+  }
+
+  @Override
+  public int hashCode() {
+    return pieces.hashCode();
   }
 
   /** Of a disc at rest, metres. */
@@ -137,6 +164,20 @@ final class SweptArea {
       least = Math.min(least, point.distanceToLine(piece.from, piece.to) - piece.radius);
     }
     return least;
+  }
+
+  /**
+   * The cells of a grid whose middles are nearer to it than that, metres. They are looked for once
+   * for all that ask with the same distance, as robots of one size do.
+   */
+  CellSet middlesWithin(OccupancyGrid grid, double near) {
+    Middles known = middles;
+    if (known == null || !known.grid.equals(grid) || known.near != near) {
+      int[] cells = pieces.stream().flatMapToInt(p -> p.middlesWithin(grid, near)).toArray();
+      known = new Middles(grid, near, CellSet.of(cells));
+      middles = known;
+    }
+    return known.cells;
   }
 
   double west() {

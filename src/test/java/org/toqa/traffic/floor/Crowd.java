@@ -31,10 +31,21 @@ final class Crowd {
   /** Nobody stands so long short of its goal without a word why. */
   private static final Duration UNNAMED = Duration.ofSeconds(10);
 
-  /** By then all have arrived, or only wait for one that stays. */
-  private static final Duration LIMIT = Duration.ofMinutes(10);
+  /** By then all have arrived, or only wait for one that stays: wheels turn half of the time. */
+  private static final Duration LIMIT = Duration.ofMinutes(20);
 
-  private static final int CELLS_A_ROBOT = 9;
+  /** Who has stood so long goes first. */
+  private static final Duration FIRST_AFTER = Duration.ofSeconds(20);
+
+  /** So long it goes first, and so long does each that has stood longer. */
+  private static final Duration TURN = Duration.ofSeconds(60);
+
+  /** Until who may go has got that far, metres and time, it is not said to go. */
+  private static final double GOING = 0.3;
+
+  private static final Duration LATE = Duration.ofSeconds(20);
+
+  private static final int CELLS_A_ROBOT = 25;
   private static final double ERROR = 0.015;
   private static final double LARGE = 0.55;
   private static final double SLOW = 0.1;
@@ -59,7 +70,11 @@ final class Crowd {
 
   private final Map<String, Instant> named = new HashMap<>();
   private final Map<String, Pose> seen = new HashMap<>();
+  private final Map<String, Stand> stands = new HashMap<>();
   private final BitSet obstacles = new BitSet();
+
+  /** Where a robot has been since then. */
+  private record Stand(Vec2 place, Instant since) {}
 
   private Crowd(long seed, int robots) {
     random = new Random(seed);
@@ -196,6 +211,7 @@ final class Crowd {
     while (floor.now.isBefore(end) && !floor.bodies.keySet().stream().allMatch(this::isSettled)) {
       floor.step();
       listen();
+      watchStands();
     }
     for (String robot : floor.bodies.keySet()) {
       assertTrue(isSettled(robot), () -> robot + " of " + floor.reasons());
@@ -204,6 +220,24 @@ final class Crowd {
 
   private boolean isSettled(String robot) {
     return floor.isArrived(robot) || floor.waitsForOneThatStays(robot);
+  }
+
+  /** Nobody stands for longer than it takes those to go that have stood longer, and itself. */
+  private void watchStands() {
+    floor.bodies.forEach(
+        (robot, body) -> {
+          Vec2 at = body.pose.position();
+          Stand stand = stands.getOrDefault(robot, new Stand(at, floor.now));
+          boolean isOver = stand.place.distanceTo(at) > GOING || isSettled(robot);
+          stands.put(robot, isOver ? new Stand(at, floor.now) : stand);
+        });
+    List<Instant> order = stands.values().stream().map(Stand::since).sorted().toList();
+    for (int i = 0; i < order.size(); i++) {
+      Duration most = FIRST_AFTER.plus(TURN.multipliedBy(i + 1)).plus(LATE);
+      Duration stood = Duration.between(order.get(i), floor.now);
+      assertTrue(
+          stood.compareTo(most) <= 0, () -> "one has stood for " + stood + ": " + floor.reasons());
+    }
   }
 
   /** Who stands and can move says why. */

@@ -16,6 +16,7 @@ import org.toqa.testbed.FuzzRun;
 @Tag("full")
 class RandomFloorsIT {
   private static final int FLOORS = Integer.getInteger("toqa.floors", 20);
+  private static final int FLOORS_A_CROWD = 50;
 
   @TestFactory
   Stream<DynamicTest> everyRobotReachesThreeGoals() {
@@ -37,11 +38,23 @@ class RandomFloorsIT {
     return floors(FloorTrafficPropertyTest::driveFromAnywhere);
   }
 
-  /** The last one says whether there were enough. */
+  /** Fewer of these: of 50 robots, 100, 150, 200 and 50 again. */
+  @TestFactory
+  Stream<DynamicTest> inACrowdNothingTouchesAndEachArrivesOrSaysWhyNot() {
+    return floors(
+        Math.max(1, FLOORS / FLOORS_A_CROWD),
+        seed -> Crowd.drive(seed, 50 * (1 + (int) ((seed - FuzzRun.SEED) % 4))));
+  }
+
   private static Stream<DynamicTest> floors(LongPredicate drive) {
+    return floors(FLOORS, drive);
+  }
+
+  /** The last one says whether there were enough. */
+  private static Stream<DynamicTest> floors(int count, LongPredicate drive) {
     Cases floors = new Cases("generated floors");
     Stream<DynamicTest> driven =
-        LongStream.range(FuzzRun.SEED, FuzzRun.SEED + FLOORS)
+        LongStream.range(FuzzRun.SEED, FuzzRun.SEED + count)
             .mapToObj(
                 seed ->
                     DynamicTest.dynamicTest("floor " + seed, () -> floors.count(drive.test(seed))));
