@@ -98,10 +98,7 @@ final class FloorPlanner {
   }
 
   private void planSingleRobot(
-      TrafficRobot robot,
-      Collection<TrafficRobot> robots,
-      ClaimedAreas claimedAreas,
-      Instant now) {
+      TrafficRobot robot, Collection<TrafficRobot> robots, ClaimedAreas claimedAreas, Instant now) {
     List<SweptArea> claimed = claimedAreas.ofOthers(robot);
     if (!robot.name.equals(rightOfWay.holder())) {
       claimed.addAll(rightOfWay.closedTo(robot));

@@ -119,9 +119,7 @@ final class FormationClearance {
                 SweptArea.at(
                     formation.discs(
                         new Pose(
-                            beside.x() + leader.x(),
-                            beside.y() + leader.y(),
-                            leader.theta())))));
+                            beside.x() + leader.x(), beside.y() + leader.y(), leader.theta())))));
   }
 
   /** The formation as it is where its leader is at a pose, which may be told from any point. */

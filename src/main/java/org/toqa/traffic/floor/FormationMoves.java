@@ -193,8 +193,7 @@ final class FormationMoves {
   }
 
   /** Where it is looked at on a piece of a move, none before its start; returns its end. */
-  private Pose addAlong(
-      Pose from, Twist twist, List<FormationFootprint.Placement> placements) {
+  private Pose addAlong(Pose from, Twist twist, List<FormationFootprint.Placement> placements) {
     double farthest = twist.vx() + Math.abs(twist.w()) * shape.reach(); // that any robot drives
     int pieces = Math.max(1, (int) Math.ceil(farthest / spacing));
     Twist piece = new Twist(twist.vx() / pieces, 0, twist.w() / pieces);

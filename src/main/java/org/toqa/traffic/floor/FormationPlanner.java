@@ -96,7 +96,8 @@ final class FormationPlanner {
     /** What was found and may be free now, that alone first. */
     Stream<Trajectory> trajectories() {
       return Stream.concat(
-          alone.map(Course::trajectory).stream(), among.values().stream().flatMap(Optional::stream));
+          alone.map(Course::trajectory).stream(),
+          among.values().stream().flatMap(Optional::stream));
     }
   }
 
@@ -174,10 +175,8 @@ final class FormationPlanner {
     return free.map(t -> sections(robot, t));
   }
 
-  private Found found(
-      TrafficRobot robot, FormationFootprint formation, Vec2 goal, BitSet solid) {
-    Question question =
-        new Question(formation, robot.committedEnd(), goal, solid, robot.speeds());
+  private Found found(TrafficRobot robot, FormationFootprint formation, Vec2 goal, BitSet solid) {
+    Question question = new Question(formation, robot.committedEnd(), goal, solid, robot.speeds());
     Found known = found.get(robot.name);
     if (known == null || !known.question.isSameAs(question)) {
       known = new Found(question, alone(question));
@@ -212,8 +211,7 @@ final class FormationPlanner {
   }
 
   /** Whether others are nowhere on a path. */
-  private static boolean isFree(
-      Question question, Trajectory trajectory, List<SweptArea> claimed) {
+  private static boolean isFree(Question question, Trajectory trajectory, List<SweptArea> claimed) {
     SweptArea standing = SweptArea.at(question.formation.discs(question.start));
     Pose pose = trajectory.start();
     for (Segment segment : trajectory.segments()) {
