@@ -192,7 +192,9 @@ final class SingleRobotPlanner {
 
   private OccupancyGrid freeCells(TrafficRobot robot, double room, List<SweptArea> claimed) {
     SweptArea standing = robot.areaAt(robot.committedEnd());
-    return freeSpace.seenBy(robot).freeCells(robot.radius(), room, claimed, standing, robot.committedCell());
+    return freeSpace
+        .seenBy(robot)
+        .freeCells(robot.radius(), room, claimed, standing, robot.committedCell());
   }
 
   /** Clear of walls and obstacles; straight to a goal that is near, else over cells. */
@@ -367,7 +369,10 @@ final class SingleRobotPlanner {
             .filter(sections -> !sections.isEmpty() && isAcceptable.test(sections))
             .toList();
     return Clearance.WALL_STEPS.stream()
-        .flatMap(room -> fits.stream().filter(sections -> freeSpace.seenBy(robot).hasRoom(robot, sections, room)))
+        .flatMap(
+            room ->
+                fits.stream()
+                    .filter(sections -> freeSpace.seenBy(robot).hasRoom(robot, sections, room)))
         .findFirst()
         .or(() -> fits.stream().findFirst());
   }
