@@ -32,7 +32,7 @@
               <td data-label="<fmt:message key="loads.column.size"/>"><c:choose><c:when test="${empty load.size}"><span class="faint"><fmt:message key="common.none"/></span></c:when><c:otherwise><fmt:formatNumber value="${load.size.length}" maxFractionDigits="2" var="length"/><fmt:formatNumber value="${load.size.width}" maxFractionDigits="2" var="width"/><fmt:message key="loads.size"><fmt:param value="${length}"/><fmt:param value="${width}"/></fmt:message></c:otherwise></c:choose></td>
               <td data-label="<fmt:message key="loads.column.where"/>"><span><c:choose>
                 <c:when test="${empty load.place}"><fmt:message key="loads.on"/>${" "}<t:robots names="${load.robots}"/></c:when>
-                <c:when test="${load.left}"><fmt:message key="loads.onFloor"/>${" "}<t:place place="${load.place}"/></c:when>
+                <c:when test="${load.isLeft}"><fmt:message key="loads.onFloor"/>${" "}<t:place place="${load.place}"/></c:when>
                 <c:otherwise><t:place place="${load.place}"/></c:otherwise>
               </c:choose><c:if test="${fn:length(floors) > 1}"><br><small class="faint"><bdi><c:out value="${load.floor}"/></bdi></small></c:if></span></td>
               <td data-label="<fmt:message key="loads.column.since"/>"><t:time at="${load.load.since}"/></td>
@@ -40,7 +40,7 @@
               <td class="whole">
                 <div class="choices">
                   <a href="${root}/map?task=${load.task}"><fmt:message key="task.onMap"/></a>
-                  <c:if test="${load.left}">
+                  <c:if test="${load.isLeft}">
                     <c:choose>
                       <c:when test="${not empty load.fetchedBy}"><a href="${root}/tasks/${load.fetchedBy}"><fmt:message key="loads.fetchedBy"><fmt:param value="${load.fetchedBy}"/></fmt:message></a></c:when>
                       <c:otherwise>

@@ -11,6 +11,7 @@
 <fmt:message key="map.zoomOut" var="zoomOut"/>
 <fmt:message key="map.fit" var="fit"/>
 <fmt:message key="map.measure" var="measure"/>
+<fmt:message key="map.zones" var="zonesLabel"/>
 <fmt:message key="replay.label" var="replayLabel"/>
 <fmt:message key="replay.time" var="timeLabel"/>
 <fmt:message key="replay.back" var="back"/>
@@ -28,6 +29,7 @@
       <div class="moment">
         <div class="zoom">
           <button type="button" id="measure" aria-pressed="false" aria-label="${measure}" title="${measure}"><t:icon name="measure"/></button>
+          <button type="button" id="zones" aria-pressed="false" aria-label="${zonesLabel}" title="${zonesLabel}"><t:icon name="zones"/></button>
           <button type="button" id="zoom-in" aria-label="${zoomIn}" title="${zoomIn}">+</button>
           <button type="button" id="zoom-out" aria-label="${zoomOut}" title="${zoomOut}">−</button>
           <button type="button" id="zoom-fit" aria-label="${fit}" title="${fit}"><t:icon name="fit"/></button>
@@ -127,11 +129,11 @@
       <summary><fmt:message key="map.legend"/></summary>
       <ul class="legend">
         <c:forEach items="${robotStates}" var="state"><li><span class="letter" data-state="${state}"><fmt:message key="robot.letter.${state}"/></span> <fmt:message key="robot.state.${state}"/></li></c:forEach>
-        <c:forTokens items="station,parking,charging,load,goal,released,planned,obstacle,reserved,standstill" delims="," var="sign"><li><t:icon name="legend-${sign}"/> <fmt:message key="map.legend.${sign}"/></li></c:forTokens>
+        <c:forTokens items="station,parking,charging,load,goal,released,planned,obstacle,reserved,standstill,hold,zone" delims="," var="sign"><li><t:icon name="legend-${sign}"/> <fmt:message key="map.legend.${sign}"/></li></c:forTokens>
       </ul>
     </details>
   </aside>
   <c:set var="stateKeys" value=""/>
   <c:forEach items="${robotStates}" var="state"><c:set var="stateKeys" value="${stateKeys} robot.state.${state} robot.letter.${state}"/></c:forEach>
-  <t:texts keys="map.live map.age map.measure.start map.measure.goal map.measure.asking map.measure.metres map.measure.cells map.measure.failed replay.label replay.play replay.pause replay.driving replay.stopped replay.task replay.loading replay.none map.disconnected map.loggedOut map.loggedOut.link map.failed map.standstill map.charger map.chargers map.leftLoad map.tasks.more common.comma task.state.QUEUED task.state.ASSIGNED task.state.TO_OBJECT task.state.CARRYING task.state.RETURNING${stateKeys}"/>
+  <t:texts keys="map.live map.age map.measure.start map.measure.goal map.measure.asking map.measure.metres map.measure.cells map.measure.failed map.zone map.seenAgo replay.label replay.play replay.pause replay.driving replay.stopped replay.task replay.loading replay.none map.disconnected map.loggedOut map.loggedOut.link map.failed map.standstill map.charger map.chargers map.leftLoad map.tasks.more common.comma task.state.QUEUED task.state.ASSIGNED task.state.TO_OBJECT task.state.CARRYING task.state.RETURNING${stateKeys}"/>
 </t:page>

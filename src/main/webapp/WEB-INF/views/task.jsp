@@ -48,6 +48,25 @@
           <dt><fmt:message key="task.created"/></dt><dd><t:time at="${task.task.createdAt}"/></dd>
           <dt><fmt:message key="task.changed"/></dt><dd><t:time at="${task.changedAt}"/></dd>
         </dl>
+        <c:if test="${not empty held}">
+          <table class="stacks" id="holds">
+            <caption class="faint"><fmt:message key="task.holds"/></caption>
+            <thead><tr><th scope="col"><fmt:message key="task.holds.robot"/></th><th scope="col"><fmt:message key="task.holds.ahead"/></th><th scope="col"><fmt:message key="task.holds.left"/></th><th scope="col"><fmt:message key="task.holds.share"/></th></tr></thead>
+            <tbody>
+              <c:forEach items="${held.points}" var="point">
+                <fmt:formatNumber value="${point.at.x}" minFractionDigits="2" maxFractionDigits="2" var="ahead"/>
+                <fmt:formatNumber value="${point.at.y}" minFractionDigits="2" maxFractionDigits="2" var="left"/>
+                <fmt:formatNumber value="${point.share}" maxFractionDigits="2" var="share"/>
+                <tr>
+                  <th scope="row"><bdi><c:out value="${point.robot}"/></bdi></th>
+                  <td class="number" data-label="<fmt:message key="task.holds.ahead"/>"><bdi dir="ltr">${ahead}</bdi></td>
+                  <td class="number" data-label="<fmt:message key="task.holds.left"/>"><bdi dir="ltr">${left}</bdi></td>
+                  <td class="number" data-label="<fmt:message key="task.holds.share"/>"><fmt:message key="common.kilograms"><fmt:param value="${share}"/></fmt:message></td>
+                </tr>
+              </c:forEach>
+            </tbody>
+          </table>
+        </c:if>
         <a href="${root}/map?task=${task.task.id}"><fmt:message key="task.onMap"/></a>
         <c:url value="/tasks/new" var="again">
           <c:param name="name" value="${task.task.name}"/>

@@ -4,7 +4,8 @@ import java.util.List;
 import org.toqa.geometry.Vec2;
 
 /**
- * A robot's part of a floor, by which {@link ZoneAllocator} decides: a strip across its longer side.
+ * A robot's part of a floor, by which {@link ZoneAllocator} decides: a strip across its longer
+ * side.
  *
  * @param low corner, metres, map frame
  * @param high corner, metres, map frame

@@ -10,6 +10,7 @@ import org.jspecify.annotations.Nullable;
 import org.toqa.fleet.FloorView.LeftLoad;
 import org.toqa.geometry.Vec2;
 import org.toqa.mission.LoadRecord;
+import org.toqa.mission.OrderPart;
 import org.toqa.mission.TaskPlace;
 import org.toqa.mission.TaskState;
 import org.toqa.mission.TransportTask.LoadSize;
@@ -74,10 +75,9 @@ public record LoadView(
 
   /** A leg that waits for the one before has its load there. */
   private static boolean isKnown(TaskView task) {
+    OrderPart part = task.task().part();
     boolean isWithOther =
-        task.state() == TaskState.QUEUED
-            && task.task().part() != null
-            && task.task().part().awaitsPrevious();
+        task.state() == TaskState.QUEUED && part != null && part.awaitsPrevious();
     return !task.state().isEnded() && !isWithOther;
   }
 

@@ -93,7 +93,8 @@ public record TaskView(
    * @param reason why it waits
    */
   public TaskView withWaitReason(Sentence reason) {
-    return new TaskView(task, state, held, robots, loadAt, reason, blocked, needs, late, changedAt, load);
+    return new TaskView(
+        task, state, held, robots, loadAt, reason, blocked, needs, late, changedAt, load);
   }
 
   public TaskView asBlocked() {

@@ -284,7 +284,14 @@ public record Mission(
 
   Mission withPriority(int priority) {
     return new Mission(
-        task.withPriority(priority), state, assignedRobots, held, ending, setDownPlace, trouble, load);
+        task.withPriority(priority),
+        state,
+        assignedRobots,
+        held,
+        ending,
+        setDownPlace,
+        trouble,
+        load);
   }
 
   Mission withPart(OrderPart part) {
@@ -299,7 +306,14 @@ public record Mission(
 
   Mission withOwner(String user, long owner) {
     return new Mission(
-        task.withOwner(user, owner), state, assignedRobots, held, ending, setDownPlace, trouble, load);
+        task.withOwner(user, owner),
+        state,
+        assignedRobots,
+        held,
+        ending,
+        setDownPlace,
+        trouble,
+        load);
   }
 
   Mission withHeld(boolean hold) {

@@ -1,3 +1,5 @@
+import {drawLabel} from '../floor/labels.js';
+import {text} from '../shared/texts.js';
 import {radius} from './robots.js';
 
 const STEP = 7; // pixels between two lines of a hatch
@@ -13,6 +15,22 @@ export function drawBlockedCells(context, viewport, colours, floor, view) {
     drawHatched(context, floor.boxes(viewport, cells), colours['state-silent'], [1]);
   }
   drawHatched(context, floor.boxes(viewport, view.obstacles), colours['map-obstacle'], [1, -1]);
+}
+
+/**
+ * Writes beside each obstacle that robots have seen how long ago one saw it last.
+ *
+ * @param now milliseconds since 1970, by the server's clock
+ */
+export function drawAges(context, viewport, colours, floor, seen, now) {
+  for (const {cells, last} of seen) {
+    const boxes = floor.boxes(viewport, cells);
+    const left = Math.min(...boxes.map(([x]) => x));
+    const right = Math.max(...boxes.map(([x, , width]) => x + width));
+    const bottom = Math.max(...boxes.map(([, y, , height]) => y + height));
+    const seconds = Math.max(0, Math.floor((now - Date.parse(last)) / 1000));
+    drawLabel(context, colours, text('map.seenAgo', seconds), (left + right) / 2, bottom + 4, 'top');
+  }
 }
 
 /**

@@ -8,12 +8,13 @@ import {updateAttentionList} from './attention-list.js';
 import {ConnectionStatus} from './connection-status.js';
 import {FleetState} from './fleet-state.js';
 import {Following} from './following.js';
-import {drawBlockedCells, drawStandstills} from './hazards.js';
+import {drawAges, drawBlockedCells, drawStandstills} from './hazards.js';
 import {updateLiveLists} from './live-lists.js';
 import {Measuring} from './measuring.js';
 import {PoseInterpolator} from './pose-interpolator.js';
 import {drawLeftLoads, drawRobots, drawTasks, replayedRobot} from './robots.js';
 import {StateFilter} from './state-filter.js';
+import {Zones} from './zones.js';
 
 const SMALLEST_FOOTPRINT = 0.255; // metres, the diameter of a robot of which nothing else is known
 
@@ -32,6 +33,7 @@ class MapPage {
   #following = new Following($('#following'), this.#canvas, this.#state, (name) => this.#poseOf(name, performance.now()));
 
   #measuring = new Measuring($('#measuring'), $('#measure'), this.#canvas);
+  #zones = new Zones($('#zones'), this.#canvas);
 
   async start() {
     this.#listenForZoomButtons();
@@ -102,14 +104,16 @@ class MapPage {
     const view = this.#state.floor(this.#floor.name);
     const poseOf = (name) => this.#interpolator.poseOf(name, now);
     if (view) {
+      this.#zones.draw(context, viewport, colours, view.zones);
       drawBlockedCells(context, viewport, colours, this.#floor, view);
       drawLeftLoads(context, viewport, colours, view.leftLoads);
     }
     const tasks = this.#state.tasksOn(this.#floor.name);
     drawTasks(context, viewport, colours, tasks);
     const robots = this.#robotsHere.map((robot) => ({...robot, faint: !this.#filter.includes(robot)}));
-    drawRobots(context, viewport, colours, robots, tasks, poseOf);
+    drawRobots(context, viewport, colours, robots, tasks, poseOf, view?.heldLoads);
     if (view) {
+      drawAges(context, viewport, colours, this.#floor, view.seen, this.#state.time);
       drawStandstills(context, viewport, colours, view, robots, poseOf);
     }
     return this.#interpolator.isMoving(now);

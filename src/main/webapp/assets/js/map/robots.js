@@ -34,14 +34,18 @@ export function replayedRobot(robot, pose) {
   return {...robot, state: pose?.isMoving ? 'DRIVING' : 'STOPPED', letter: '', route: [], task: null};
 }
 
-/** @param poseOf answers the pose at which a robot is shown */
-export function drawRobots(context, viewport, colours, robots, tasks, poseOf) {
+/**
+ * @param poseOf answers the pose at which a robot is shown
+ * @param heldLoads where robots hold the loads that several carry
+ */
+export function drawRobots(context, viewport, colours, robots, tasks, poseOf, heldLoads = []) {
   const seen = robots.map((robot) => [robot, poseOf(robot.name)]).filter(([, pose]) => pose);
   for (const [robot, pose] of seen) {
     drawRoute(context, viewport, colours, robot, pose);
   }
   for (const task of tasks.filter(({state, robots: team}) => state === 'CARRYING' && team.length > 1)) {
-    drawGroup(context, viewport, colours, task, task.robots.map(poseOf).filter((pose) => pose));
+    const points = heldLoads.find((held) => held.task === task.id)?.points ?? [];
+    drawGroup(context, viewport, colours, task, task.robots.map(poseOf).filter((pose) => pose), points);
   }
   for (const [robot, pose] of seen) {
     const carried = tasks.find((task) => task.id === robot.task && task.state === 'CARRYING');
@@ -121,7 +125,7 @@ function drawRobot(context, viewport, colours, robot, pose) {
 }
 
 /** Draws a load in the middle of the robots that carry it together, with the heading of their leader. */
-function drawGroup(context, viewport, colours, task, poses) {
+function drawGroup(context, viewport, colours, task, poses, points) {
   if (poses.length < task.robots.length) {
     return;
   }
@@ -137,6 +141,23 @@ function drawGroup(context, viewport, colours, task, poses) {
   const middle = (side) => poses.reduce((sum, pose) => sum + pose[side], 0) / poses.length;
   const at = viewport.toScreen(middle('x'), middle('y'));
   drawLoad(context, at, -poses[0].theta, loadHalf(viewport, task), colours);
+  drawHoldPoints(context, viewport, colours, {x: middle('x'), y: middle('y'), theta: poses[0].theta}, points);
+}
+
+/** Where robots hold the load: the larger a robot's share, the larger its dot. */
+function drawHoldPoints(context, viewport, colours, load, points) {
+  const largest = Math.max(...points.map(({share}) => share));
+  for (const {at, share} of points) {
+    const [cos, sin] = [Math.cos(load.theta), Math.sin(load.theta)];
+    const [x, y] = viewport.toScreen(load.x + cos * at.x - sin * at.y, load.y + sin * at.x + cos * at.y);
+    context.beginPath();
+    context.arc(x, y, 2 + 3 * Math.sqrt(share / largest), 0, 2 * Math.PI);
+    context.fillStyle = colours['map-load-line'];
+    context.strokeStyle = colours['map-halo'];
+    context.lineWidth = 1.5;
+    context.fill();
+    context.stroke();
+  }
 }
 
 /** Half of the load's length and width in pixels. */

@@ -46,8 +46,9 @@ class FleetLoadsTest extends HallFleetTest {
 
     until(
         view -> {
-          boolean isFetched = task(view, fetching).state() != TaskState.ASSIGNED
-              && task(view, fetching).state() != TaskState.TO_OBJECT;
+          boolean isFetched =
+              task(view, fetching).state() != TaskState.ASSIGNED
+                  && task(view, fetching).state() != TaskState.TO_OBJECT;
           String fetcher = task(view, fetching).robots().getFirst();
           for (String other : List.of("r1", "r2")) {
             assertTrue(

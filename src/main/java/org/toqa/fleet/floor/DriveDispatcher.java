@@ -112,7 +112,9 @@ final class DriveDispatcher {
     return robot.obstructed.update(isStopped, OBSTACLE_PATIENCE, state.now);
   }
 
-  /** Whether a load lies by now on what it was told to drive: it is stopped, and goes round that. */
+  /**
+   * Whether a load lies by now on what it was told to drive: it is stopped, and goes round that.
+   */
   private boolean isLoadAhead(FloorRobot robot) {
     return robot.reported.report().role() == Role.ALONE
         && state.leftLoads.isAhead(robot.name(), state.traffic);

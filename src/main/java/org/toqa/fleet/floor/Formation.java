@@ -23,7 +23,9 @@ record Formation(Shape shape, Pose load, LoadSize size, FormationFootprint group
 
   private static final double EIGHTH = Math.PI / 4;
 
-  /** Of a load's length from the way that the group faces, radians: a square one lies along the map. */
+  /**
+   * Of a load's length from the way that the group faces, radians: a square one lies along the map.
+   */
   static double turnOf(Pose load, LoadSize size) {
     boolean isAskew = Math.round(load.theta() / EIGHTH) % 2 != 0;
     return isAskew && size.length() == size.width() ? EIGHTH : 0;

@@ -27,6 +27,8 @@ import org.toqa.wording.Sentence;
  * that fetch it.
  */
 final class LeftLoads {
+  private static final BitSet NO_CELLS = new BitSet();
+
   private final OccupancyGrid grid;
 
   /** By task. */
@@ -50,8 +52,7 @@ final class LeftLoads {
     if (where.isEmpty()) {
       loads.remove(mission.id());
     } else {
-      loads.put(
-          mission.id(), new Entry(mission, at, where.get(), cellsAt(where.get(), mission)));
+      loads.put(mission.id(), new Entry(mission, at, where.get(), cellsAt(where.get(), mission)));
     }
   }
 
@@ -96,19 +97,24 @@ final class LeftLoads {
   }
 
   /**
-   * A robot may go over a load that it fetches, and over one that it stands in until it is off it.
+   * A robot may go over a load that it fetches; and out of one that it stands in until it is off
+   * it, away from its middle.
    *
    * @param fetched where the load is that it fetches; null: it fetches none
    */
   void updatePassable(String robot, @Nullable Vec2 fetched, FloorTraffic traffic) {
-    BitSet before = passable.getOrDefault(robot, new BitSet());
+    BitSet before = passable.getOrDefault(robot, NO_CELLS);
     BitSet now = new BitSet();
     for (Entry load : loads.values()) {
-      boolean isLeaving =
-          traffic.isUnder(robot, load.cells())
-              || (before.intersects(load.cells()) && traffic.isAhead(robot, load.cells()));
-      if (isLeaving || (fetched != null && isAt(load, fetched))) {
+      if (fetched != null && isAt(load, fetched)) {
         now.or(load.cells());
+      } else if (before.intersects(load.cells())
+          && (traffic.standingCells(robot).intersects(load.cells()) || traffic.isAhead(robot, load.cells()))) {
+        BitSet same = (BitSet) before.clone();
+        same.and(load.cells());
+        now.or(same);
+      } else if (load.cells().get(grid.index(grid.cellAt(traffic.position(robot))))) {
+        now.or(outward(load, traffic.position(robot), traffic.standingCells(robot)));
       }
     }
     if (now.isEmpty()) {
@@ -118,10 +124,21 @@ final class LeftLoads {
     }
   }
 
+  /** The cells that are no nearer to the load's middle than a robot, and those that it is on. */
+  private BitSet outward(Entry load, Vec2 robot, BitSet standing) {
+    double from = load.where().distanceTo(robot);
+    BitSet cells = (BitSet) standing.clone();
+    cells.and(load.cells());
+    load.cells().stream()
+        .filter(cell -> load.where().distanceTo(grid.centre(grid.cell(cell))) >= from)
+        .forEach(cells::set);
+    return cells;
+  }
+
   /** Whether one that the robot may not go over is on what it has been told to drive. */
   boolean isAhead(String robot, FloorTraffic traffic) {
     BitSet cells = cells();
-    cells.andNot(passable.getOrDefault(robot, new BitSet()));
+    cells.andNot(passable.getOrDefault(robot, NO_CELLS));
     return !cells.isEmpty() && traffic.isAhead(robot, cells);
   }
 

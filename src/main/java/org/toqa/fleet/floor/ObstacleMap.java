@@ -183,7 +183,8 @@ public final class ObstacleMap {
     Map<Obstacle, List<Mark>> byObstacle = new LinkedHashMap<>();
     marks
         .values()
-        .forEach(mark -> byObstacle.computeIfAbsent(mark.obstacle(), _ -> new ArrayList<>()).add(mark));
+        .forEach(
+            mark -> byObstacle.computeIfAbsent(mark.obstacle(), _ -> new ArrayList<>()).add(mark));
     return byObstacle.entrySet().stream().map(e -> view(e.getKey(), e.getValue())).toList();
   }
 

@@ -158,7 +158,12 @@ final class OrderValidator {
       TransportTask task, OrderChecks.Check check) {
     OccupancyGrid grid = floor(task.floor()).orElseThrow().grid();
     return paths
-        .findPath(grid, task.start().position(), task.goal().position(), 2 * PlaceCheck.SMALLEST_RADIUS, check)
+        .findPath(
+            grid,
+            task.start().position(),
+            task.goal().position(),
+            2 * PlaceCheck.SMALLEST_RADIUS,
+            check)
         .thenApply(
             path ->
                 switch (path) {

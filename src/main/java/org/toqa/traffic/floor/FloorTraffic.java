@@ -144,7 +144,6 @@ public final class FloorTraffic {
    * all of the formation's cells are its own. The others must have left.
    *
    * @param formation null: it drives alone again
-   * @throws IllegalArgumentException if there is no such robot
    */
   public void setFormation(String name, @Nullable FormationFootprint formation) {
     TrafficRobot robot = robot(name);
@@ -159,7 +158,6 @@ public final class FloorTraffic {
    * How fast the robot shall drive from now on.
    *
    * @param name of one that is stopped or drives here
-   * @throws IllegalArgumentException if there is no such robot
    */
   public void setSpeeds(String name, DriveSpeeds speeds) {
     robot(name).setSpeeds(speeds);
@@ -169,7 +167,6 @@ public final class FloorTraffic {
    * The robot is on the path that it was told.
    *
    * @param completedSegments so many of the path's are completed
-   * @throws IllegalArgumentException if there is no such robot
    */
   public void reportProgress(String name, Pose pose, int completedSegments, Instant now) {
     TrafficRobot robot = robot(name);
@@ -212,7 +209,6 @@ public final class FloorTraffic {
    * The robot shall go somewhere, in any heading.
    *
    * @param goal metres, map frame; null: nowhere, and it may be asked to step aside
-   * @throws IllegalArgumentException if there is no such robot
    */
   public void setGoal(String name, @Nullable Vec2 goal, Instant now) {
     setGoal(name, goal, null, now);
@@ -224,7 +220,6 @@ public final class FloorTraffic {
    * @param goal metres, map frame; null: nowhere, and it may be asked to step aside
    * @param heading how it shall face there, radians, counter-clockwise from map east; null: in any
    *     heading
-   * @throws IllegalArgumentException if there is no such robot
    */
   public void setGoal(String name, @Nullable Vec2 goal, @Nullable Double heading, Instant now) {
     if (robot(name).setGoal(goal, heading, now)) {
@@ -234,8 +229,6 @@ public final class FloorTraffic {
 
   /**
    * Says whether it can be told to move; one that is lost, held or not localised cannot.
-   *
-   * @throws IllegalArgumentException if there is no such robot
    */
   public void setMovable(String name, boolean movable) {
     TrafficRobot robot = robot(name);
@@ -266,9 +259,6 @@ public final class FloorTraffic {
     }
   }
 
-  /**
-   * @throws IllegalArgumentException if there is no such robot
-   */
   public void removeRobot(String name) {
     TrafficRobot robot = robot(name);
     trigger.markFreed(robot);
@@ -331,8 +321,15 @@ public final class FloorTraffic {
     return robot(name).drive.hasAheadOn(cells);
   }
 
-  public boolean isUnder(String name, BitSet cells) { // as it stands now
-    return robot(name).standingArea().cells(grid, 0).intersects(cells);
+  /** The cells that it touches as it stands now. */
+  public BitSet standingCells(String name) {
+    BitSet cells = new BitSet();
+    robot(name).standingArea().cells(grid, 0).addTo(cells);
+    return cells;
+  }
+
+  public Vec2 position(String name) {
+    return robot(name).pose().position();
   }
 
   /** Robots that do not get on as they should, each in one of these at most. */

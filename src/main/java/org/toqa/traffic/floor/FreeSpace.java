@@ -62,10 +62,9 @@ final class FreeSpace {
 
   /** The floor as it is for a robot, for which some obstacles may be none. */
   FreeSpace seenBy(TrafficRobot robot) {
-    BitSet counting = obstacles.of(robot.name);
-    return counting == obstacles.cells()
+    return obstacles.allCountFor(robot.name)
         ? this
-        : others.computeIfAbsent(counting, this::withObstacles);
+        : others.computeIfAbsent(obstacles.of(robot.name), this::withObstacles);
   }
 
   private FreeSpace withObstacles(BitSet cells) {

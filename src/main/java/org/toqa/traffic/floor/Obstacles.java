@@ -18,22 +18,21 @@ record Obstacles(BitSet cells, Map<String, BitSet> passable) {
     passable = Map.copyOf(passable);
   }
 
-  /** Those that do not count for the robot. */
-  BitSet passableFor(String robot) {
-    return passable.getOrDefault(robot, NO_CELLS);
+  boolean allCountFor(String robot) {
+    return !cells.intersects(passableFor(robot));
   }
 
   /** Those that count for the robot. */
   BitSet of(String robot) {
-    return without(passableFor(robot));
-  }
-
-  private BitSet without(BitSet some) {
-    if (!cells.intersects(some)) {
+    if (allCountFor(robot)) {
       return cells;
     }
-    BitSet left = (BitSet) cells.clone();
-    left.andNot(some);
-    return left;
+    BitSet counting = (BitSet) cells.clone();
+    counting.andNot(passableFor(robot));
+    return counting;
+  }
+
+  private BitSet passableFor(String robot) {
+    return passable.getOrDefault(robot, NO_CELLS);
   }
 }

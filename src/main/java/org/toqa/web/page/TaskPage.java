@@ -244,6 +244,13 @@ public final class TaskPage extends PageHandler {
     request.setAttribute(
         "negotiation",
         services(request).fleet().snapshots().latest().negotiations().get(task.id()));
+    request.setAttribute(
+        "held",
+        services(request).fleet().snapshots().latest().floors().stream()
+            .flatMap(floor -> floor.heldLoads().stream())
+            .filter(load -> load.task() == task.id())
+            .findFirst()
+            .orElse(null));
     request.setAttribute("timeline", TIMELINE);
     request.setAttribute("reached", TIMELINE.indexOf(task.state()));
   }

@@ -110,6 +110,30 @@ class ApiTaskCommandsTest extends ApiTestServer {
   }
 
   @Test
+  void loadsAreListedWhereTheyAre() {
+    long task = add(token);
+
+    JsonNode waiting = load(task);
+    assertEquals("Dock A", waiting.get("place").get("station").stringValue());
+    assertTrue(waiting.get("robot").isNull());
+    server.fleet().changeTask(task, TaskState.CARRYING, List.of("r1"), "picked up");
+    JsonNode carried = load(task);
+
+    assertTrue(carried.get("place").isNull());
+    assertEquals("r1", carried.get("robot").stringValue());
+    assertEquals(task, carried.get("task").asLong());
+  }
+
+  private JsonNode load(long id) {
+    for (JsonNode load : JSON.readTree(get("api/v1/loads").body())) {
+      if (load.get("id").asLong() == id) {
+        return load;
+      }
+    }
+    throw new AssertionError("no load " + id);
+  }
+
+  @Test
   void aLoadThatWasLeftIsSaidToBeGoneOnce() {
     long task = add(token);
     String path = "api/v1/tasks/" + task;
@@ -119,6 +143,12 @@ class ApiTaskCommandsTest extends ApiTestServer {
     post(token, path + "/answer", "{\"answer\":\"cancel\"}");
     assertEquals("CANCELLED", JSON.readTree(get(path).body()).get("state").stringValue());
     assertEquals(2, JSON.readTree(get(path).body()).get("loadAt").get("x").doubleValue());
+    assertEquals(422, post(token, path + "/load-moved", "{}").statusCode());
+    assertEquals(
+        422, post(token, path + "/load-moved", "{\"place\":{\"station\":\"Moon\"}}").statusCode());
+    String there = "{\"place\":{\"x\":3,\"y\":2}}";
+    HttpResponse<String> moved = post(token, path + "/load-moved", there);
+    assertEquals(3, JSON.readTree(moved.body()).get("loadAt").get("x").doubleValue());
 
     HttpResponse<String> gone = post(token, path + "/load-removed", "");
 

@@ -10,14 +10,15 @@ import java.time.Instant;
 import java.util.List;
 import java.util.Map;
 import org.junit.jupiter.api.Test;
+import org.toqa.allocation.Zone;
 import org.toqa.fleet.FloorView;
 import org.toqa.geometry.Pose;
 import org.toqa.geometry.Vec2;
 import org.toqa.grid.CellRuns;
 import org.toqa.link.message.AgentMessage.Fault;
+import org.toqa.mission.LoadRecord;
 import org.toqa.testbed.Hall;
 import org.toqa.web.WebTestServer;
-import org.toqa.mission.LoadRecord;
 import org.toqa.wording.Phrase;
 import org.toqa.wording.Sentence;
 
@@ -153,9 +154,17 @@ class MapInBrowserTest extends PagesInBrowser {
                         new Vec2(9, 4),
                         null,
                         Phrase.LEFT_LOAD.with(Sentence.of(new Vec2(9, 4))))),
-                null));
+                null,
+                List.of(),
+                List.of(),
+                List.of(
+                    new Zone("r1", new Vec2(0, 0), new Vec2(6, 8)),
+                    new Zone("r2", new Vec2(6, 0), new Vec2(12, 8)))));
 
     page.waitForCondition(() -> !pictureOf(page).equals(before));
+    Object withoutZones = pictureOf(page);
+    page.locator("#zones").click();
+    page.waitForCondition(() -> !pictureOf(page).equals(withoutZones));
     assertThat(page.locator("#attention")).containsText("Drums");
     assertThat(page.locator("#attention")).containsText("lies on the floor at (9.00, 4.00)");
     assertFits(page, "map-left-load", DESK, PHONE);
