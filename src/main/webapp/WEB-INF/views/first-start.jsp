@@ -15,6 +15,7 @@
       <t:field name="code" label="firstStart.code" hint="firstStart.code.hint" latin="true" focus="true"/>
       <t:field name="name" label="firstStart.name" autocomplete="username"/>
       <t:field name="password" label="firstStart.password" type="password" hint="firstStart.password.hint" autocomplete="new-password"/>
+      <t:field name="repeat" label="firstStart.repeat" type="password" hint="firstStart.repeat.hint" autocomplete="new-password"/>
       <button><fmt:message key="firstStart.submit"/></button>
     </form>
   </article>

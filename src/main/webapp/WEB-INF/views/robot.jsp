@@ -15,7 +15,7 @@
       <h1><c:out value="${title}"/></h1>
       <t:state of="robot" state="${robot.state}"/>
     </div>
-    <c:forEach items="${robot.telemetry.errors}" var="fault"><p class="notice bad"><t:fault fault="${fault}"/>${" "}<small>(<bdi dir="ltr"><c:out value="${fault.code}"/></bdi>)</small></p></c:forEach>
+    <c:forEach items="${robot.telemetry.errors}" var="fault"><p class="notice bad"><t:fault fault="${fault}"/></p></c:forEach>
     <c:if test="${not empty robot.unreachable and robot.unreachable != robot.alert}"><p class="notice bad"><t:said sentence="${robot.unreachable}"/></p></c:if>
     <c:if test="${not empty robot.alert}"><p class="notice bad" role="alert"><t:said sentence="${robot.alert}"/></p></c:if>
     <article>
@@ -71,7 +71,7 @@
         <ul><c:forEach items="${stops}" var="stop"><li><t:fault fault="${stop}"/></li></c:forEach></ul>
         <c:url value="/robots/${robot.name}/clear" var="clear"/>
         <details>
-          <summary role="button" class="outline secondary"><fmt:message key="robot.stop.clear"/>${" "}<bdi dir="ltr"><c:forEach items="${stops}" var="stop" varStatus="at">${at.first ? '' : ', '}<c:out value="${stop.code}"/></c:forEach></bdi></summary>
+          <summary role="button" class="outline secondary"><fmt:message key="robot.stop.clear"/></summary>
           <form method="post" action="<c:out value="${clear}"/>">
             <t:csrf/>
             <c:forEach items="${stops}" var="stop"><input type="hidden" name="reasons" value="${fn:escapeXml(stop.code)}"></c:forEach>

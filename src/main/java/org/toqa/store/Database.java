@@ -18,6 +18,7 @@ import org.h2.api.ErrorCode;
 import org.jdbi.v3.core.Handle;
 import org.jdbi.v3.core.Jdbi;
 import org.jspecify.annotations.Nullable;
+import org.toqa.fleet.PeriodicWork;
 
 /**
  * The database, migrated to the newest {@code sql/}. The fleet, readers and sessions have pools of
@@ -56,6 +57,8 @@ public final class Database implements AutoCloseable {
   /** Null where the database is not a file of this process. */
   private final @Nullable H2Compactor compactor;
 
+  private final @Nullable PeriodicWork compaction;
+
   private final boolean isMySql;
 
   private record Pool(HikariDataSource connections, Jdbi jdbi) implements AutoCloseable {
@@ -84,6 +87,10 @@ public final class Database implements AutoCloseable {
         Pool.of(config(url, user, password, "toqa-sessions", SESSION_CONNECTIONS, WRITE_LIMIT));
     isMySql = url.startsWith(MYSQL);
     compactor = H2Url.isOwnFile(url) ? new H2Compactor(fleet.jdbi()) : null;
+    compaction =
+        compactor == null
+            ? null
+            : new PeriodicWork("h2-compactor", H2Compactor.LOOK_INTERVAL, compactor::look);
   }
 
   /** Whether that is the JDBC URL of a kind of database that can be used. */
@@ -266,7 +273,8 @@ public final class Database implements AutoCloseable {
 
   @Override
   public void close() {
-    if (compactor != null) {
+    if (compactor != null && compaction != null) {
+      compaction.close();
       compactor.close();
     }
     sessions.close();

@@ -13,14 +13,14 @@ import org.jdbi.v3.core.Jdbi;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
-import org.toqa.fleet.PeriodicWork;
 
 /**
  * Gives back what the file of an H2 database does not need any more. H2 appends all that changes,
  * and has a thread of its own for what is left behind, but not with {@code WRITE_DELAY=0}, where
  * each commit is written at once: the file grew by 20 kB a commit.
  *
- * <p>Each second what was written is forced to the disk. What a computer that loses its power finds
+ * <p>Each second, and as soon as the file has grown by a part of itself, what was written is forced
+ * to the disk. What a computer that loses its power finds
  * there stays as it is until the next time: the version that was forced counts as used, so that
  * parts of the file which it needs are not used again, and others are at once. Then pages are moved
  * out of parts that hold little, and, where a good deal of the file is free, parts from its end to
@@ -34,14 +34,23 @@ final class H2Compactor implements AutoCloseable {
   private static final Logger log = LoggerFactory.getLogger(H2Compactor.class);
   private static final Duration INTERVAL = Duration.ofSeconds(1);
 
+  /** From one {@link #look} to the next. */
+  static final Duration LOOK_INTERVAL = Duration.ofMillis(100);
+
+  /** From one turn to the next, where the file does not grow. */
+  private static final long LOOKS = INTERVAL.dividedBy(LOOK_INTERVAL);
+
+  /** Percent; a file that has grown so much since the last turn has the next one at once. */
+  private static final int MOST_GROWTH = 8;
+
   /** Without a change of somebody else, until there is nothing left to give back. */
   private static final int LAST_INTERVALS = 20;
 
   /** Percent of the parts of the file that is in use; below it those with little are emptied. */
-  private static final int LEAST_FILL_RATE = 70;
+  private static final int LEAST_FILL_RATE = 80;
 
   /** Of pages that are moved at a time. */
-  private static final int MOST_PAGE_BYTES = 256 * 1024;
+  private static final int MOST_PAGE_BYTES = 512 * 1024;
 
   /** A file that is smaller is left as it is. */
   private static final long LEAST_SIZE = 2 * 1024 * 1024;
@@ -49,16 +58,26 @@ final class H2Compactor implements AutoCloseable {
   /** Percent of the file that its parts take; below it they are moved to the front. */
   private static final int LEAST_FILE_FILL_RATE = 80;
 
-  /** Of parts that are moved at a time. */
-  private static final long MOST_PART_BYTES = 2 * 1024 * 1024;
+  /** Of parts that are moved at a time: while they are on their way, the file grows by as much. */
+  private static final long MOST_PART_BYTES = 256 * 1024;
+
+  /** In one turn. */
+  private static final int MOST_MOVES = 3;
 
   private final Jdbi jdbi;
-  private final PeriodicWork work;
 
   /** Null: nothing was forced to the disk yet. */
   private @Nullable ForcedVersion forced;
 
   private long lastVersion = -1;
+
+  /** Of the file after the last turn, bytes. */
+  private long lastSize;
+
+  /** Null: there was no turn yet. */
+  private @Nullable MVStore store;
+
+  private int looks;
   private int idleIntervals;
 
   /** A version of all data that is on the disk, and counts as used. */
@@ -72,30 +91,45 @@ final class H2Compactor implements AutoCloseable {
 
   H2Compactor(Jdbi jdbi) {
     this.jdbi = jdbi;
-    this.work = new PeriodicWork("h2-compactor", INTERVAL, this::compact);
+  }
+
+  /** Has a turn if one is due, or if the file has grown; to be called again and again. */
+  void look() {
+    if (++looks >= LOOKS || hasGrown()) {
+      looks = 0;
+      compact();
+    }
+  }
+
+  private boolean hasGrown() {
+    return store != null
+        && !store.isClosed()
+        && store.getFileStore().size() > LEAST_SIZE
+        && store.getFileStore().size() * 100 > lastSize * (100 + MOST_GROWTH);
   }
 
   private void compact() {
     try {
-      jdbi.useHandle(this::compact);
+      jdbi.useHandle(h -> compact(h, file(h)));
     } catch (SQLException | MVStoreException e) {
       log.warn("The database's file could not be compacted; it is tried again.", e);
     }
   }
 
-  private void compact(Handle h) throws SQLException {
-    MVStore store = file(h);
-    idleIntervals = store.getCurrentVersion() == lastVersion ? idleIntervals + 1 : 0;
+  private void compact(Handle h, MVStore file) {
+    idleIntervals = file.getCurrentVersion() == lastVersion ? idleIntervals + 1 : 0;
     if (idleIntervals < LAST_INTERVALS) {
-      force(h, store);
-      store.compact(LEAST_FILL_RATE, MOST_PAGE_BYTES);
+      force(h, file);
+      file.compact(LEAST_FILL_RATE, MOST_PAGE_BYTES);
       if (idleIntervals > 0) {
-        store.setStoreVersion(1 - store.getStoreVersion());
-        store.commit();
+        file.setStoreVersion(1 - file.getStoreVersion());
+        file.commit();
       }
-      moveToFront(store);
-      lastVersion = store.getCurrentVersion(); // this is no change of somebody else
+      moveToFront(file);
+      lastVersion = file.getCurrentVersion(); // this is no change of somebody else
     }
+    lastSize = file.getFileStore().size();
+    store = file;
   }
 
   private void force(Handle h, MVStore store) {
@@ -119,8 +153,14 @@ final class H2Compactor implements AutoCloseable {
   }
 
   private static void moveToFront(MVStore store) {
-    if (store.getFileStore() instanceof RandomAccessStore parts && parts.size() > LEAST_SIZE) {
-      parts.compactMoveChunks(LEAST_FILE_FILL_RATE, MOST_PART_BYTES, store);
+    if (store.getFileStore() instanceof RandomAccessStore parts) {
+      for (int i = 0;
+          i < MOST_MOVES
+              && parts.size() > LEAST_SIZE
+              && parts.getFillRate() < LEAST_FILE_FILL_RATE;
+          i++) {
+        parts.compactMoveChunks(LEAST_FILE_FILL_RATE, MOST_PART_BYTES, store);
+      }
     }
   }
 
@@ -132,7 +172,6 @@ final class H2Compactor implements AutoCloseable {
 
   @Override
   public void close() {
-    work.close();
     giveUpForced();
   }
 }

@@ -29,6 +29,9 @@ final class CrashRun {
   private static final Duration DUE_IN = Duration.ofMillis(700);
   private static final Duration TIMEOUT = Duration.ofMinutes(10);
 
+  /** From one look at the tasks to the next; bodies are looked at all the time. */
+  private static final int LOOK_MILLIS = 250;
+
   /** Of 20 ms or less: who stands for so long does not only turn or wait for another one. */
   private static final long STEPS_OF_STANDING = 500;
 
@@ -237,11 +240,7 @@ final class CrashRun {
       List<JsonNode> open = new ArrayList<>(tasks());
       carryLoadsAway(open);
       open.removeIf(task -> List.of("DONE", "CANCELLED").contains(task.get("state").asString()));
-      boolean isNoneDue =
-          schedules().stream()
-              .filter(schedule -> ledger.isScheduled(scheduledTask(schedule)))
-              .allMatch(schedule -> schedule.get("due").isNull());
-      if (open.isEmpty() && isNoneDue) {
+      if (open.isEmpty() && isNoneDue()) {
         return;
       }
       for (JsonNode task : open) {
@@ -255,8 +254,14 @@ final class CrashRun {
         }
       }
       assertTrue(System.nanoTime() < end, () -> "these have not ended: " + open);
-      TimeUnit.MILLISECONDS.sleep(100);
+      TimeUnit.MILLISECONDS.sleep(LOOK_MILLIS);
     }
+  }
+
+  private boolean isNoneDue() throws Exception {
+    return schedules().stream()
+        .filter(schedule -> ledger.isScheduled(scheduledTask(schedule)))
+        .allMatch(schedule -> schedule.get("due").isNull());
   }
 
   /** As people would, so that what cancelled tasks left on the floor does not stop all others. */

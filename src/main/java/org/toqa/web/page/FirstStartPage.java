@@ -37,6 +37,9 @@ public final class FirstStartPage extends PageHandler {
     InputRules rules = new InputRules(Texts.of(request), errors);
     String name = rules.userName("name", fields.text("name"));
     String password = rules.newPassword("password", fields.text("password"), name);
+    if (!password.equals(fields.text("repeat"))) { // nobody else could give him another one
+      errors.add("repeat", Texts.of(request).get("error.firstStart.repeat"));
+    }
     if (!errors.isEmpty()) {
       showAgain(request, response, "first-start", errors);
       return;

@@ -18,6 +18,9 @@ import org.toqa.web.WebTestServer;
 class AccountsInBrowserTest extends PagesInBrowser {
   private static final Pattern LINK = Pattern.compile("https://toqa\\.example\\.org/(reset\\S+)");
 
+  private static final Page.GetByLabelOptions EXACTLY =
+      new Page.GetByLabelOptions().setExact(true);
+
   @Test
   void theFirstManagerIsMadeAtTheFirstStartAndAddsAClerk() throws Exception {
     try (WebTestServer empty = WebTestServer.startEmpty(0)) {
@@ -27,11 +30,16 @@ class AccountsInBrowserTest extends PagesInBrowser {
       assertThat(page.locator("h1")).hasText("Create the first manager");
       page.getByLabel("Code").fill(empty.firstStartCode());
       page.getByLabel("Name").fill("Ada");
-      page.getByLabel("Password").fill("short");
+      page.getByLabel("Password", EXACTLY).fill("short");
       click(button(page, "Create manager"));
       assertThat(page.locator("#password-help")).isVisible();
       assertThat(page.getByLabel("Name")).hasValue("Ada");
-      page.getByLabel("Password").fill("a sentence to remember");
+      page.getByLabel("Password", EXACTLY).fill("a sentence to remember");
+      page.getByLabel("Password again").fill("a sentence to rememver");
+      click(button(page, "Create manager"));
+      assertThat(page.locator("#repeat-help")).containsText("not the password");
+      page.getByLabel("Password", EXACTLY).fill("a sentence to remember");
+      page.getByLabel("Password again").fill("a sentence to remember");
       click(button(page, "Create manager"));
 
       assertThat(page.locator("#age")).containsText("Live");

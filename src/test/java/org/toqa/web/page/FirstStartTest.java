@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.net.http.HttpResponse;
+import java.util.HashMap;
 import java.util.Locale;
 import java.util.Map;
 import org.junit.jupiter.api.AfterEach;
@@ -48,9 +49,7 @@ class FirstStartTest {
     assertEquals(200, visitor.get("first-start").statusCode());
 
     HttpResponse<String> answer =
-        visitor.post(
-            "first-start",
-            Map.of("code", code(), "name", "Max", "password", "a sentence to remember"));
+        visitor.post("first-start", form(code(), "Max", "a sentence to remember"));
 
     assertEquals("/map", answer.headers().firstValue("Location").orElseThrow());
     assertTrue(visitor.get("users").body().contains("Add user"));
@@ -58,9 +57,7 @@ class FirstStartTest {
     assertEquals(
         "/",
         visitor
-            .post(
-                "first-start",
-                Map.of("code", code(), "name", "Thief", "password", "a sentence to remember"))
+            .post("first-start", form(code(), "Thief", "a sentence to remember"))
             .headers()
             .firstValue("Location")
             .orElseThrow());
@@ -79,9 +76,7 @@ class FirstStartTest {
   void onlyWhoHasTheCodeMakesTheFirstManager() {
     for (String wrong : new String[] {"", "AAAA-BBBB-CCCC", code().substring(1)}) {
       HttpResponse<String> answer =
-          visitor.post(
-              "first-start",
-              Map.of("code", wrong, "name", "Thief", "password", "a sentence to remember"));
+          visitor.post("first-start", form(wrong, "Thief", "a sentence to remember"));
       assertEquals(422, answer.statusCode());
       assertTrue(answer.body().contains("This is not the code"), answer.body());
     }
@@ -91,10 +86,27 @@ class FirstStartTest {
     assertEquals(
         303,
         visitor
-            .post(
-                "first-start",
-                Map.of("code", typed, "name", "Max", "password", "a sentence to remember"))
+            .post("first-start", form(typed, "Max", "a sentence to remember"))
             .statusCode());
+  }
+
+  @Test
+  void aSlipOfTheFingerLocksNobodyOut() {
+    for (String repeat : new String[] {"", "a sentence to rememver", " a sentence to remember"}) {
+      Map<String, String> form = new HashMap<>(form(code(), "Max", "a sentence to remember"));
+      form.put("repeat", repeat);
+      HttpResponse<String> answer = visitor.post("first-start", form);
+      assertEquals(422, answer.statusCode());
+      assertTrue(answer.body().contains("This is not the password that you typed above"));
+    }
+    Map<String, String> form = new HashMap<>(form(code(), "Max", "a sentence to remember"));
+    form.remove("repeat");
+    assertEquals(422, visitor.post("first-start", form).statusCode());
+    assertTrue(server.accounts().accounts().isEmpty());
+  }
+
+  private static Map<String, String> form(String code, String name, String password) {
+    return Map.of("code", code, "name", name, "password", password, "repeat", password);
   }
 
   private String code() {
@@ -103,7 +115,7 @@ class FirstStartTest {
 
   private String refusal(String name, String password) {
     HttpResponse<String> answer =
-        visitor.post("first-start", Map.of("code", code(), "name", name, "password", password));
+        visitor.post("first-start", form(code(), name, password));
     assertEquals(422, answer.statusCode());
     return answer.body();
   }

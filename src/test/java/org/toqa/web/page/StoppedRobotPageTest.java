@@ -40,6 +40,7 @@ class StoppedRobotPageTest extends WebServerTest {
     assertFalse(page.contains("value=\"MY_OWN\""), "it goes by itself");
     assertTrue(page.contains(SENTENCE) && page.contains("Another fault."), page);
     assertFalse(page.contains("???"), page);
+    assertFalse(page.contains("(<bdi dir=\"ltr\">STOP_EDGE"), "a code in place of words");
 
     HttpResponse<String> other = manager.post("robots/r1/clear", Map.of("reasons", "STOP_SWITCH"));
     assertEquals(422, other.statusCode());
