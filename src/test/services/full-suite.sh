@@ -164,7 +164,7 @@ export TMPDIR
 mkdir -p target
 say "building, while what is missing is fetched"
 # A session of its own, so that all of it can be ended.
-setsid ./mvnw -q -B -ntp -Pfull compile >"$folder/build.log" 2>&1 &
+setsid ./mvnw -q -B -ntp -Pfull -DskipTests verify >"$folder/build.log" 2>&1 &
 maven=$!
 
 command -v chromium-browser >/dev/null || command -v google-chrome >/dev/null ||
@@ -204,9 +204,12 @@ wait "$maven" || {
 }
 
 : >"$tally"
-# Planners compute; all others wait in turn, and share a pool.
+# All is built and packaged: the tests alone. Planners compute; all others wait in turn, and share
+# a pool.
 # shellcheck disable=SC2086 # the size is words
-setsid ./mvnw -B -ntp verify -Pfull -Dtoqa.full=true -Dtoqa.seed="$seed" $size \
+setsid ./mvnw -B -ntp -Pfull toolchains:select-jdk-toolchain@default surefire:test@default-test \
+  failsafe:integration-test@default failsafe:verify@default \
+  -Dtoqa.full=true -Dtoqa.seed="$seed" $size \
   -Dtest.unpackaged='%regex[org/toqa/(traffic|planning)/.*(Test|IT)\.class]' \
   -Dtest.packaged='%regex[org/toqa/(?!traffic/|planning/).*(Test|IT)\.class]' \
   -Dtoqa.run=$$ -Dtest.folder="$folder" -Dtoqa.memory="$memory" \

@@ -16,6 +16,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.function.BooleanSupplier;
 import java.util.regex.Pattern;
 import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.AfterEach;
@@ -36,9 +37,15 @@ public abstract class BrowserTest {
   /** Ends a test that would wait for ever; no machine that works is so slow. */
   private static final int PATIENCE_MS = 60_000;
 
+  private static final int BETWEEN_LOOKS_MS = 30;
+
   /** The first, of Debian, is Chromium without a desktop, which works less. */
   private static final List<String> NAMES =
       List.of("chromium-headless-shell", "chromium", "chromium-browser", "google-chrome");
+
+  /** Fewer processes: all that a page needs in one, and none besides that would draw. */
+  private static final List<String> OPTIONS =
+      List.of("--disable-gpu", "--in-process-gpu", "--disable-site-isolation-trials");
 
   private static @Nullable Browser browser;
 
@@ -76,7 +83,19 @@ public abstract class BrowserTest {
    * of our pages forbids that they do it by themselves, as by Playwright's waiting.
    */
   protected static void await(Page page, String expression) {
-    page.waitForCondition(() -> Boolean.TRUE.equals(page.evaluate(expression)));
+    await(page, () -> Boolean.TRUE.equals(page.evaluate(expression)));
+  }
+
+  /** Waits until what is asked of the page is so, and leaves it time to work between two looks. */
+  public static void await(Page page, BooleanSupplier condition) {
+    page.waitForCondition(
+        () -> {
+          if (condition.getAsBoolean()) {
+            return true;
+          }
+          page.waitForTimeout(BETWEEN_LOOKS_MS);
+          return false;
+        });
   }
 
   /** Errors on the page's console, and of its scripts. */
@@ -103,7 +122,7 @@ public abstract class BrowserTest {
                 .setExecutablePath(chromium())
                 // As root, Chromium refuses to run in its sandbox.
                 .setChromiumSandbox(!System.getProperty("user.name").equals("root"))
-                .setArgs(List.of("--disable-gpu")));
+                .setArgs(OPTIONS));
   }
 
   @BeforeEach

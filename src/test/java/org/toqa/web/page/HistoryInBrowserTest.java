@@ -184,7 +184,7 @@ class HistoryInBrowserTest extends PagesInBrowser {
     page().reload();
 
     assertThat(none).isHidden();
-    page().waitForCondition(() -> !canvas().equals(empty));
+    await(page(), () -> !canvas().equals(empty));
     page().locator("#track").scrollIntoViewIfNeeded();
     picture(page(), "robot-track");
     page().navigate(server.root() + "robots/r2");

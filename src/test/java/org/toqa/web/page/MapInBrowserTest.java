@@ -33,7 +33,7 @@ class MapInBrowserTest extends PagesInBrowser {
 
     move("r1", new Pose(5, 4.6, 0));
 
-    page.waitForCondition(() -> !pictureOf(page).equals(before));
+    await(page, () -> !pictureOf(page).equals(before));
   }
 
   @Test
@@ -46,7 +46,7 @@ class MapInBrowserTest extends PagesInBrowser {
     assertThat(following).containsText("Following r1");
     Object before = pictureOf(page);
     move("r1", new Pose(8, 2.2, 0));
-    page.waitForCondition(() -> !pictureOf(page).equals(before));
+    await(page, () -> !pictureOf(page).equals(before));
 
     page.getByText("Stop following").click();
     assertThat(following).isHidden();
@@ -79,7 +79,7 @@ class MapInBrowserTest extends PagesInBrowser {
     Object before = pictureOf(page);
     clickMap(page, map, 8.2, 2.2);
     assertThat(measuring).containsText("4.7 m by the map.");
-    page.waitForCondition(() -> !pictureOf(page).equals(before));
+    await(page, () -> !pictureOf(page).equals(before));
     picture(page, "map-measured");
 
     clickMap(page, map, 4.2, 4.6);
@@ -113,7 +113,7 @@ class MapInBrowserTest extends PagesInBrowser {
 
     assertThat(page.locator("#attention")).containsText("r2, r3 at (2.25, 0.75)");
     assertThat(page.locator("#attention")).containsText("Charger C1 does not charge");
-    page.waitForCondition(() -> !pictureOf(page).equals(before));
+    await(page, () -> !pictureOf(page).equals(before));
     page.getByText("Legend").click();
     page.locator(".legend").getByText("Standstill").scrollIntoViewIfNeeded();
     picture(page, "map-in-the-way");
@@ -125,7 +125,7 @@ class MapInBrowserTest extends PagesInBrowser {
             new FloorView(
                 "hall", null, CellRuns.NONE, Map.of(), List.of(), List.of(), List.of(), null));
 
-    page.waitForCondition(() -> !pictureOf(page).equals(crowded));
+    await(page, () -> !pictureOf(page).equals(crowded));
     assertThat(page.locator("#attention")).not().containsText("Standstill");
   }
 
@@ -161,10 +161,10 @@ class MapInBrowserTest extends PagesInBrowser {
                     new Zone("r1", new Vec2(0, 0), new Vec2(6, 8)),
                     new Zone("r2", new Vec2(6, 0), new Vec2(12, 8)))));
 
-    page.waitForCondition(() -> !pictureOf(page).equals(before));
+    await(page, () -> !pictureOf(page).equals(before));
     Object withoutZones = pictureOf(page);
     page.locator("#zones").click();
-    page.waitForCondition(() -> !pictureOf(page).equals(withoutZones));
+    await(page, () -> !pictureOf(page).equals(withoutZones));
     assertThat(page.locator("#attention")).containsText("Drums");
     assertThat(page.locator("#attention")).containsText("lies on the floor at (9.00, 4.00)");
     assertFits(page, "map-left-load", DESK, PHONE);
@@ -193,7 +193,7 @@ class MapInBrowserTest extends PagesInBrowser {
 
     assertThat(page.locator("#robots strong")).hasText(new String[] {"r1"});
     assertThat(driving).hasAttribute("aria-pressed", "true");
-    page.waitForCondition(() -> !pictureOf(page).equals(all));
+    await(page, () -> !pictureOf(page).equals(all));
     picture(page, "map-narrowed");
     page.locator("#counts button").filter(having("On hold")).click();
     assertThat(page.locator("#robots strong")).hasText(new String[] {"r1", "r3"});

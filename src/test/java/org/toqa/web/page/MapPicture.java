@@ -11,6 +11,7 @@ import java.io.UncheckedIOException;
 import java.util.function.Predicate;
 import javax.imageio.ImageIO;
 import org.jspecify.annotations.Nullable;
+import org.toqa.testbed.BrowserTest;
 
 /** The map as somebody sees it who looks at the screen, and where a load is seen on it. */
 final class MapPicture {
@@ -19,7 +20,6 @@ final class MapPicture {
 
   private static final int ALIKE = 8; // of 255
   private static final double NEAR = 2.5; // pixels
-  private static final double PATIENCE_MS = 60_000;
 
   private final Page page;
   private final Locator map;
@@ -27,7 +27,8 @@ final class MapPicture {
   MapPicture(Page page) {
     this.page = page;
     map = page.locator("#map");
-    page.waitForCondition(
+    BrowserTest.await(
+        page,
         () -> ((Number) page.evaluate("document.querySelector('#map').width")).intValue() > 300);
   }
 
@@ -109,8 +110,7 @@ final class MapPicture {
 
   private void await(Predicate<@Nullable Seen> condition, String what) {
     try {
-      page.waitForCondition(
-          () -> condition.test(load()), new Page.WaitForConditionOptions().setTimeout(PATIENCE_MS));
+      BrowserTest.await(page, () -> condition.test(load()));
     } catch (TimeoutError e) {
       throw new AssertionError("not seen: " + what + ", but: " + load(), e);
     }
