@@ -1,5 +1,7 @@
 package org.toqa.formation;
 
+import org.toqa.motion.DriveKind;
+
 /** The follower laws, by the words for them in a robot's configuration. */
 public enum FollowerLawType {
   OMNI("omni"),
@@ -9,6 +11,14 @@ public enum FollowerLawType {
 
   FollowerLawType(String word) {
     this.word = word;
+  }
+
+  /** The law for robots of a kind. */
+  public static FollowerLawType of(DriveKind kind) {
+    return switch (kind) {
+      case OMNI -> OMNI;
+      case DIFFERENTIAL -> NON_HOLONOMIC;
+    };
   }
 
   public String word() {
