@@ -19,8 +19,8 @@ class UnicycleLawPropertyTest {
   void lawIsThatOfThePaper(
       @ForAll @DoubleRange(min = -0.45, max = 0.45) double v,
       @ForAll @DoubleRange(min = -2, max = 2) double w,
-      @ForAll @DoubleRange(min = -0.02, max = 0.02) double x,
-      @ForAll @DoubleRange(min = -0.02, max = 0.02) double y,
+      @ForAll @DoubleRange(min = -0.01, max = 0.01) double x,
+      @ForAll @DoubleRange(min = -0.01, max = 0.01) double y,
       @ForAll @DoubleRange(min = -0.1, max = 0.1) double turned,
       @ForAll @DoubleRange(min = -3, max = 3) double theta) {
     Pose place = new Pose(x, y, theta + turned);
