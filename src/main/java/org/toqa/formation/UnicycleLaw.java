@@ -13,8 +13,8 @@ import org.toqa.geometry.Vec2;
  *
  * <p>Two things differ from the paper. Its turn towards the place's heading is in proportion to the
  * place's speed and ends where that turns on the spot; here it is {@link #SLOWEST_TURN} at least.
- * Any rate above 0 leaves V = (e_x^2 + e_y^2) / 2 + (1 - cos e_th) / k_y falling. And both gains are
- * such that the error dies without swinging: k_y = (k / (2 v))^2.
+ * Any rate above 0 leaves V = (e_x^2 + e_y^2) / 2 + (1 - cos e_th) / k_y falling. And both gains
+ * are such that the error dies without swinging: k_y = (k / (2 v))^2.
  */
 public record UnicycleLaw() implements FollowerLaw {
 

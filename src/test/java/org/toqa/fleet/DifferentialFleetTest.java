@@ -42,8 +42,7 @@ class DifferentialFleetTest {
     FloorMap floor =
         new FloorMap(
             "aisles",
-            new OccupancyGrid(
-                AISLES.width(), AISLES.height(), SIZE, Vec2.ZERO, AISLES.occupied()),
+            new OccupancyGrid(AISLES.width(), AISLES.height(), SIZE, Vec2.ZERO, AISLES.occupied()),
             List.of(
                 new Place("A", cell(1, 5)),
                 new Place("B", cell(15, 1)),

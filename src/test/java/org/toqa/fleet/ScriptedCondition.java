@@ -20,6 +20,7 @@ final class ScriptedCondition {
 
   /** Metres; it sees through all of a hall. */
   double sensorRange = 20;
+
   DriveKind kind = DriveKind.OMNI;
 
   /** Metres a second. */

@@ -100,8 +100,7 @@ class DifferentialRobotTest {
   @Test
   void itStopsBeforeWhatAnotherWouldStepAsideFrom() {
     things.put(new Vec2(4, 3 + 0.1275 + 0.05 + 0.005), 0.05);
-    server.assertAccepted(
-        TestServer.drive(1, 5L, 1, Rig.START, List.of(METRE, METRE, METRE)));
+    server.assertAccepted(TestServer.drive(1, 5L, 1, Rig.START, List.of(METRE, METRE, METRE)));
     server.advance(Duration.ofSeconds(40));
     assertEquals(Mode.DRIVING, server.state().mode());
     assertEquals("OBSTACLE", server.state().errors().getFirst().code());

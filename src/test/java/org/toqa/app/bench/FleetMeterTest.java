@@ -119,6 +119,7 @@ class FleetMeterTest {
   private static RobotView robot(String name, double x, double y) {
     double footprint = name.equals("r1") ? 0.2 : 0.3;
     return Hall.robot(name, RobotState.DRIVING, new Pose(x, y, 0), "127.0.0.1", 7275)
-        .withCapabilities(new RobotCapabilities(footprint, DriveSpeeds.DEFAULT, 5, 0.8, DriveKind.OMNI));
+        .withCapabilities(
+            new RobotCapabilities(footprint, DriveSpeeds.DEFAULT, 5, 0.8, DriveKind.OMNI));
   }
 }

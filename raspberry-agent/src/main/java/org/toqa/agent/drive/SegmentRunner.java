@@ -81,8 +81,7 @@ public final class SegmentRunner {
    * @param kind of the robot
    * @param avoider says how far beside its path the robot drives
    */
-  public SegmentRunner(
-      ReferenceTrajectory trajectory, DriveKind kind, ObstacleAvoider avoider) {
+  public SegmentRunner(ReferenceTrajectory trajectory, DriveKind kind, ObstacleAvoider avoider) {
     this.trajectory = trajectory;
     this.kind = kind;
     this.avoider = avoider;
