@@ -46,8 +46,10 @@ public record Passage(List<Vec2> blocking, List<Vec2> beside, double ahead) {
    *
    * @param seen points, metres, map frame
    * @param radius of the robot, metres
+   * @param mostAside metres that it can step aside
    */
-  public static Passage through(Corridor corridor, List<Vec2> seen, double radius) {
+  public static Passage through(
+      Corridor corridor, List<Vec2> seen, double radius, double mostAside) {
     List<Vec2> blocking = new ArrayList<>();
     List<Vec2> beside = new ArrayList<>();
     double blocked = Double.POSITIVE_INFINITY;
@@ -59,7 +61,7 @@ public record Passage(List<Vec2> blocking, List<Vec2> beside, double ahead) {
         continue;
       }
       Place where = place.orElseThrow();
-      if (intrusion > Sidestep.MAX_OFFSET) {
+      if (intrusion > mostAside) {
         blocking.add(point);
         blocked = Math.min(blocked, where.along());
       } else {

@@ -1,5 +1,6 @@
 package org.toqa.fleet;
 
+import org.toqa.motion.DriveKind;
 import org.toqa.motion.DriveSpeeds;
 
 /**
@@ -8,20 +9,21 @@ import org.toqa.motion.DriveSpeeds;
  * @param footprint diameter, metres
  * @param maxLoad kilograms that it says it carries
  * @param sensorRange metres that its range sensors see
+ * @param kind how it can move
  */
 public record RobotCapabilities(
-    double footprint, DriveSpeeds speeds, double maxLoad, double sensorRange) {
+    double footprint, DriveSpeeds speeds, double maxLoad, double sensorRange, DriveKind kind) {
 
   /** Assumed of a robot that was never heard of: the smallest diameter of ours, any load. */
   public static final RobotCapabilities UNKNOWN =
-      new RobotCapabilities(0.255, DriveSpeeds.DEFAULT, Double.MAX_VALUE, 0.8);
+      new RobotCapabilities(0.255, DriveSpeeds.DEFAULT, Double.MAX_VALUE, 0.8, DriveKind.OMNI);
 
   public RobotCapabilities withFootprint(double diameter) {
-    return new RobotCapabilities(diameter, speeds, maxLoad, sensorRange);
+    return new RobotCapabilities(diameter, speeds, maxLoad, sensorRange, kind);
   }
 
   public RobotCapabilities withMaxLoad(double kilograms) {
-    return new RobotCapabilities(footprint, speeds, kilograms, sensorRange);
+    return new RobotCapabilities(footprint, speeds, kilograms, sensorRange, kind);
   }
 
   /** Whether the robot has ever said what it carries: whether it was ever connected. */

@@ -4,7 +4,7 @@ import org.toqa.geometry.Pose;
 import org.toqa.geometry.Twist;
 
 /** How a robot is steered after a place that moves. */
-public sealed interface FollowerLaw permits SingleIntegratorLaw, NonHolonomicLaw {
+public sealed interface FollowerLaw permits SingleIntegratorLaw, NonHolonomicLaw, UnicycleLaw {
 
   /**
    * The velocity that leads to the place.

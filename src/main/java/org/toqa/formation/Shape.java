@@ -12,8 +12,9 @@ import org.toqa.geometry.Vec2;
  *
  * @param leader the leader's place, metres
  * @param followers the followers' places, metres
+ * @param law the one that asks the most, of those that its robots follow by
  */
-public record Shape(Vec2 leader, List<Vec2> followers) {
+public record Shape(Vec2 leader, List<Vec2> followers, FollowerLawType law) {
 
   public static final int MOST_ROBOTS = 12;
 
@@ -35,6 +36,16 @@ public record Shape(Vec2 leader, List<Vec2> followers) {
           "A formation has 1 to %d followers, not %d."
               .formatted(MOST_ROBOTS - 1, followers.size()));
     }
+  }
+
+  /** One of robots that go in any direction. */
+  public Shape(Vec2 leader, List<Vec2> followers) {
+    this(leader, followers, FollowerLawType.OMNI);
+  }
+
+  /** The same of robots that follow by another law. */
+  public Shape withLaw(FollowerLawType other) {
+    return new Shape(leader, followers, other);
   }
 
   /**
@@ -106,7 +117,8 @@ public record Shape(Vec2 leader, List<Vec2> followers) {
   /** The tightest circle that the leader of this shape may drive, metres. */
   public double smallestRadius() {
     double lateral = offsets().stream().mapToDouble(o -> Math.abs(o.y())).max().orElseThrow();
-    return lateral + CORNER_MARGIN;
+    double lengthwise = offsets().stream().mapToDouble(o -> Math.abs(o.x())).max().orElseThrow();
+    return Math.max(law.roundness() * (lateral + CORNER_MARGIN), law.lengthFactor() * lengthwise);
   }
 
   private static void requireLength(String name, double metres) {

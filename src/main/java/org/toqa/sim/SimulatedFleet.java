@@ -181,8 +181,9 @@ public final class SimulatedFleet implements AutoCloseable {
             folder,
             robot.maxLoad(),
             FOOTPRINT,
+            robot.kind(),
             LIMITS,
-            AgentConfig.Following.DEFAULT,
+            AgentConfig.Following.of(robot.kind()),
             createBody(folder, robot));
     Daemon daemon = Daemon.open(config, clock, clock.nanos());
     SimulatedDaemon inhabitant =

@@ -57,7 +57,8 @@ class PassageTest {
 
     // a quarter of a circle of 1 m round (0, 1), which ends in (1, 1); 60 degrees along it
     Vec2 thing = new Vec2(Math.sin(Math.PI / 3), 1 - Math.cos(Math.PI / 3));
-    Passage passage = Passage.through(new Corridor(bend), List.of(thing), RADIUS);
+    Passage passage =
+        Passage.through(new Corridor(bend), List.of(thing), RADIUS, Sidestep.MAX_OFFSET);
 
     assertEquals(Math.PI / 3 - 0.2, passage.ahead(), 0.01);
     assertEquals(Math.PI / 3 - 0.38, passage.freeDistance(), 0.01); // 0.18 m before it
@@ -65,7 +66,7 @@ class PassageTest {
   }
 
   private static Passage through(Vec2... seen) {
-    return Passage.through(EAST, List.of(seen), RADIUS);
+    return Passage.through(EAST, List.of(seen), RADIUS, Sidestep.MAX_OFFSET);
   }
 
   private static Passage rounded(Passage passage) {

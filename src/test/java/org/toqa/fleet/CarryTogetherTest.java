@@ -20,6 +20,7 @@ import org.toqa.grid.OccupancyGrid;
 import org.toqa.grid.Place;
 import org.toqa.link.message.AgentMessage.Fault;
 import org.toqa.mission.TaskState;
+import org.toqa.motion.DriveKind;
 import org.toqa.sim.SimulatedFloor;
 
 /**
@@ -61,6 +62,14 @@ class CarryTogetherTest {
         live().await(view -> LiveFloor.isInState(view, task, TaskState.CARRYING));
     assertEquals(3, LiveFloor.task(carrying, task).robots().size());
     untilDone(task);
+  }
+
+  /** They take wide corners, and are allowed to be farther off their places. */
+  @Test
+  @Timeout(300)
+  void twoRobotsThatCannotGoSidewaysCarryTogether() throws Exception {
+    open(2, DriveKind.DIFFERENTIAL);
+    untilDone(live().submit(8, "A", "C"));
   }
 
   /** Longer than a robot may stand without a word. */
@@ -120,13 +129,19 @@ class CarryTogetherTest {
   }
 
   private void open(int count) throws Exception {
+    open(count, DriveKind.OMNI);
+  }
+
+  private void open(int count, DriveKind kind) throws Exception {
     List<Place> parking = new ArrayList<>();
     for (int i = 0; i < count; i++) {
       parking.add(new Place("P" + (i + 1), cell(4 + 4 * i, 2)));
     }
-    List<Place> stations = List.of(new Place("A", cell(8, 8)), new Place("B", cell(30, 8)));
+    List<Place> stations =
+        List.of(
+            new Place("A", cell(8, 8)), new Place("B", cell(30, 8)), new Place("C", cell(20, 4)));
     FloorMap floor = new FloorMap("hall", grid(), stations, parking, List.of());
-    LiveFloor live = new LiveFloor(folder, floor, SimulatedFloor.of(floor), SPEED);
+    LiveFloor live = new LiveFloor(folder, floor, SimulatedFloor.of(floor), SPEED, kind);
     opened = live;
     live.start();
   }

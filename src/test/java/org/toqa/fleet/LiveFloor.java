@@ -26,6 +26,7 @@ import org.toqa.link.gateway.Gateways;
 import org.toqa.link.trust.IdentityFile;
 import org.toqa.link.trust.LinkTls;
 import org.toqa.mission.TaskState;
+import org.toqa.motion.DriveKind;
 import org.toqa.sim.Body;
 import org.toqa.sim.ClearanceJudge;
 import org.toqa.sim.ClearanceJudge.Clearance;
@@ -74,7 +75,13 @@ final class LiveFloor {
    * @param speed how many times faster than real time at most
    */
   LiveFloor(Path folder, FloorMap floor, SimulatedFloor world, double speed) throws Exception {
-    this(folder, floor, world, speed, null, _ -> Gateways.NONE);
+    this(folder, floor, world, speed, DriveKind.OMNI);
+  }
+
+  /** The same with robots of a kind. */
+  LiveFloor(Path folder, FloorMap floor, SimulatedFloor world, double speed, DriveKind kind)
+      throws Exception {
+    this(folder, floor, world, speed, kind, null, _ -> Gateways.NONE);
   }
 
   /**
@@ -89,6 +96,18 @@ final class LiveFloor {
       @Nullable String gateway,
       Function<SimulatedFleet, Gateways> gateways)
       throws Exception {
+    this(folder, floor, world, speed, DriveKind.OMNI, gateway, gateways);
+  }
+
+  private LiveFloor(
+      Path folder,
+      FloorMap floor,
+      SimulatedFloor world,
+      double speed,
+      DriveKind kind,
+      @Nullable String gateway,
+      Function<SimulatedFleet, Gateways> gateways)
+      throws Exception {
     this.world = world;
     clock = new VirtualClock(Instant.EPOCH, speed);
     stepNanos = Math.round(VirtualClock.STEP.toNanos() / speed);
@@ -97,11 +116,11 @@ final class LiveFloor {
     parts.add(database);
     JdbiFleetStore store = new JdbiFleetStore(database.jdbi());
     List<SimulatedRobot> bodies =
-        floor.parking().stream().map(parking -> body(floor, parking)).toList();
+        floor.parking().stream().map(parking -> body(floor, parking, kind)).toList();
     robots = SimulatedFleet.open(folder, bodies, world, clock);
     parts.add(robots);
     for (Place parking : floor.parking()) {
-      String name = body(floor, parking).name();
+      String name = body(floor, parking, kind).name();
       store.saveRobot(
           new RobotRecord(
               name,
@@ -145,9 +164,10 @@ final class LiveFloor {
     hasSeenCarriedLoad |= bodies.stream().anyMatch(body -> !body.carriers().isEmpty());
   }
 
-  private static SimulatedRobot body(FloorMap floor, Place parking) {
+  private static SimulatedRobot body(FloorMap floor, Place parking, DriveKind kind) {
     Pose start = new Pose(parking.position().x(), parking.position().y(), 0);
-    return new SimulatedRobot("r" + (floor.parking().indexOf(parking) + 1), start, MAX_LOAD, 1);
+    String name = "r" + (floor.parking().indexOf(parking) + 1);
+    return new SimulatedRobot(name, start, MAX_LOAD, 1, kind, null);
   }
 
   /** Waits until all robots are ready. */

@@ -4,6 +4,7 @@ import java.util.List;
 import org.jspecify.annotations.Nullable;
 import org.toqa.geometry.Vec2;
 import org.toqa.link.message.AgentMessage.Fault;
+import org.toqa.motion.DriveKind;
 import org.toqa.motion.Segment;
 
 /** What a test lets be so with a scripted robot, until it lets it be otherwise. */
@@ -19,6 +20,8 @@ final class ScriptedCondition {
 
   /** Metres; it sees through all of a hall. */
   double sensorRange = 20;
+
+  DriveKind kind = DriveKind.OMNI;
 
   /** Metres a second. */
   double maxLoad = ScriptedRobot.MAX_LOAD;

@@ -387,6 +387,7 @@ public final class ScriptedRobot {
         condition.maxTurnRate,
         condition.footprint,
         condition.sensorRange,
+        condition.kind.word(),
         true,
         pose,
         mode(),

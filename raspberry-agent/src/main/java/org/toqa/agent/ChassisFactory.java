@@ -5,6 +5,7 @@ import java.nio.file.Path;
 import org.jspecify.annotations.Nullable;
 import org.toqa.agent.chassis.Chassis;
 import org.toqa.agent.chassis.SimulatedChassis;
+import org.toqa.agent.chassis.SimulatedWheels;
 import org.toqa.agent.config.AgentConfig;
 import org.toqa.agent.config.ChassisConfig;
 import org.toqa.agent.firmware.FirmwareChassis;
@@ -33,7 +34,7 @@ final class ChassisFactory {
               folder.resolve("body"),
               body.start(),
               body.battery(),
-              body.noise(),
+              SimulatedWheels.of(config.kind(), body.noise()),
               body.seed(),
               new RangeSensors(config.footprint() / 2),
               body.surroundings());

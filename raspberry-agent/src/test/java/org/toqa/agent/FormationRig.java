@@ -33,6 +33,7 @@ import org.toqa.link.trust.Fingerprint;
 import org.toqa.link.trust.LinkSocket;
 import org.toqa.link.trust.LinkTls;
 import org.toqa.link.trust.PairingCode;
+import org.toqa.motion.DriveKind;
 import org.toqa.motion.Segment;
 import org.toqa.sim.Participant;
 import org.toqa.sim.VirtualClock;
@@ -198,6 +199,7 @@ final class FormationRig implements AutoCloseable {
                   folder.resolve(name(robot)),
                   5,
                   0.255,
+                  DriveKind.OMNI,
                   Rig.LIMITS,
                   AgentConfig.Following.DEFAULT,
                   new ChassisConfig.Simulated(

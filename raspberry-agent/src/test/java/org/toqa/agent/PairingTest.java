@@ -44,6 +44,7 @@ import org.toqa.link.trust.LinkTls;
 import org.toqa.link.trust.PairingCode;
 import org.toqa.link.trust.PairingProof;
 import org.toqa.link.trust.TimeLimit;
+import org.toqa.motion.DriveKind;
 import org.toqa.wording.Sentence;
 
 /**
@@ -99,6 +100,7 @@ class PairingTest {
             folder.resolve("robot"),
             5,
             0.255,
+            DriveKind.OMNI,
             Rig.LIMITS,
             AgentConfig.Following.DEFAULT,
             new ChassisConfig.Simulated(Rig.START, SimulatedBattery.FULL, 0, 1, 1));

@@ -18,6 +18,7 @@ import org.toqa.agent.config.ChassisConfig;
 import org.toqa.agent.drive.MotionLimits;
 import org.toqa.agent.storage.DataFolder;
 import org.toqa.geometry.Pose;
+import org.toqa.motion.DriveKind;
 
 /** A real daemon over a simulated body, in time that only the test moves. */
 final class Rig implements AutoCloseable {
@@ -26,6 +27,7 @@ final class Rig implements AutoCloseable {
   static final MotionLimits LIMITS = new MotionLimits(0.5, 3.5, 0.5, 3);
 
   private final Path folder;
+  private final DriveKind kind;
   private final ChassisConfig config;
   private final UnaryOperator<Chassis> wrapper;
   private @Nullable Chassis body;
@@ -49,6 +51,14 @@ final class Rig implements AutoCloseable {
    * @param wrapper what is put between the daemon and its body
    */
   Rig(Path folder, ChassisConfig body, UnaryOperator<Chassis> wrapper) {
+    this(folder, DriveKind.OMNI, body, wrapper);
+  }
+
+  /**
+   * @param wrapper what is put between the daemon and its body
+   */
+  Rig(Path folder, DriveKind kind, ChassisConfig body, UnaryOperator<Chassis> wrapper) {
+    this.kind = kind;
     this.folder = folder;
     this.config = body;
     this.wrapper = wrapper;
@@ -81,6 +91,7 @@ final class Rig implements AutoCloseable {
         data,
         5,
         0.255,
+        kind,
         LIMITS,
         AgentConfig.Following.DEFAULT,
         config);

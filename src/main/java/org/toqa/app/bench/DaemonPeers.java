@@ -20,6 +20,7 @@ import org.toqa.link.message.DecodeResult;
 import org.toqa.link.message.LineReader;
 import org.toqa.link.message.LinkCodec;
 import org.toqa.link.message.ServerMessage;
+import org.toqa.motion.DriveKind;
 import org.toqa.motion.Segment;
 
 /**
@@ -172,6 +173,7 @@ final class DaemonPeers implements AutoCloseable {
         3.5,
         0.255,
         0.8,
+        DriveKind.OMNI.word(),
         true,
         place,
         Mode.FOLLOWING,

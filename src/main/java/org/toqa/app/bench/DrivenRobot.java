@@ -36,6 +36,7 @@ import org.toqa.link.message.ServerMessage.Hold;
 import org.toqa.link.message.ServerMessage.Ping;
 import org.toqa.link.message.ServerMessage.Release;
 import org.toqa.link.message.ServerMessage.Resume;
+import org.toqa.motion.DriveKind;
 
 /**
  * A robot alone at the other end of a link: it drives by the daemon's own trajectories, limits and
@@ -123,6 +124,7 @@ final class DrivenRobot implements AutoCloseable {
         LIMITS.turnRate(),
         diameter,
         0,
+        DriveKind.OMNI.word(),
         true,
         body.pose(),
         mode(),
@@ -207,7 +209,8 @@ final class DrivenRobot implements AutoCloseable {
   private void begin(Drive order) {
     runner =
         new SegmentRunner(
-            new ReferenceTrajectory(order.start(), order.segments(), order.released(), PACE));
+            new ReferenceTrajectory(order.start(), order.segments(), order.released(), PACE),
+            DriveKind.OMNI);
     isFinal = order.last();
     isCancelled = false;
     task = order.task();

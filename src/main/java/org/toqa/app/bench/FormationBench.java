@@ -10,11 +10,11 @@ import org.toqa.app.bench.FormationRun.Group;
 import org.toqa.app.command.Arguments;
 import org.toqa.app.command.SeedOption;
 import org.toqa.app.server.WebappFolder;
+import org.toqa.formation.FollowerLawType;
 import org.toqa.formation.Gains;
-import org.toqa.formation.NonHolonomicLaw;
-import org.toqa.formation.SingleIntegratorLaw;
 import org.toqa.grid.Inflation;
 import org.toqa.grid.OccupancyGrid;
+import org.toqa.motion.DriveSpeeds;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.ExitCode;
 import picocli.CommandLine.Mixin;
@@ -103,9 +103,8 @@ final class FormationBench implements Callable<Integer> {
     OccupancyGrid free = Inflation.inflate(arguments.readGrid(shippedMap.get()), RADIUS);
     SimulatedWheels three = SimulatedWheels.omni(slip / 100, sizeError / 100);
     SimulatedWheels two = SimulatedWheels.differential(slip / 100, sizeError / 100);
-    Group omni = new Group(new SingleIntegratorLaw(Gains.DEFAULT), three, 0.05, 0.25, 1);
-    // On an arc these must face across the leader's heading, the more the tighter it is.
-    Group wheeled = new Group(new NonHolonomicLaw(Gains.DEFAULT), two, 0.1, 0.12, 2.5);
+    Group omni = group(FollowerLawType.OMNI, three);
+    Group wheeled = group(FollowerLawType.NON_HOLONOMIC, two);
     List<Formation> formations = new ArrayList<>();
     for (int delay : DELAYS_MS) {
       formations.add(formation("omni", omni, delay, free));
@@ -117,6 +116,11 @@ final class FormationBench implements Callable<Integer> {
         new Report(seed.value(), formations, new TrackingRun(three, seed.value()).run());
     new BenchOutput(spec).printReport(report);
     return meetsTargets(report) ? ExitCode.OK : ExitCode.SOFTWARE;
+  }
+
+  private static Group group(FollowerLawType law, SimulatedWheels wheels) {
+    double speed = Math.min(DriveSpeeds.DEFAULT.forward(), law.mostSpeed());
+    return new Group(law.withGains(Gains.DEFAULT), wheels, law.tolerance(), speed, law.roundness());
   }
 
   private Formation formation(String name, Group group, int delayMs, OccupancyGrid free) {

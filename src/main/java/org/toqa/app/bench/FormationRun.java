@@ -20,6 +20,7 @@ import org.toqa.geometry.Twist;
 import org.toqa.geometry.Vec2;
 import org.toqa.geometry.Waypoint;
 import org.toqa.grid.OccupancyGrid;
+import org.toqa.motion.DriveKind;
 import org.toqa.motion.DriveSpeeds;
 import org.toqa.motion.SegmentFitter;
 import org.toqa.motion.Trajectory;
@@ -114,7 +115,8 @@ final class FormationRun {
                 START,
                 trajectory.segments(),
                 trajectory.segments().size(),
-                PaceLimits.forLeader(LIMITS, shape.reach())));
+                PaceLimits.forLeader(LIMITS, shape.reach())),
+            DriveKind.OMNI);
     leader =
         new SimulatedBody(
             START, SimulatedWheels.omni(group.wheels().slip(), group.wheels().sizeError()), seed);

@@ -9,6 +9,7 @@ import org.toqa.agent.drive.SegmentRunner;
 import org.toqa.geometry.Pose;
 import org.toqa.geometry.Vec2;
 import org.toqa.geometry.Waypoint;
+import org.toqa.motion.DriveKind;
 import org.toqa.motion.DriveSpeeds;
 import org.toqa.motion.SegmentFitter;
 import org.toqa.motion.Trajectory;
@@ -58,7 +59,8 @@ final class TrackingRun {
                 start,
                 planned.segments(),
                 planned.segments().size(),
-                PaceLimits.forSingleRobot(LIMITS)));
+                PaceLimits.forSingleRobot(LIMITS)),
+            DriveKind.OMNI);
     try (SimulatedBody robot = new SimulatedBody(start, wheels, seed)) {
       for (double t = 0; t < MAX_SECONDS && !runner.isAtEnd(); t += SimulatedBody.TICK) {
         robot.advance();

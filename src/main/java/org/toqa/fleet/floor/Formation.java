@@ -19,7 +19,9 @@ import org.toqa.traffic.floor.FormationFootprint;
  */
 record Formation(Shape shape, Pose load, LoadSize size, FormationFootprint group) {
   /** Metres that a follower may be off its place. */
-  static final double TOLERANCE = 0.05;
+  double tolerance() {
+    return shape.law().tolerance();
+  }
 
   private static final double EIGHTH = Math.PI / 4;
 

@@ -7,12 +7,14 @@ import java.util.Optional;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
+import org.toqa.formation.FollowerLawType;
 import org.toqa.formation.LoadHolds;
 import org.toqa.formation.Shape;
 import org.toqa.geometry.Pose;
 import org.toqa.geometry.Vec2;
 import org.toqa.grid.OccupancyGrid;
 import org.toqa.mission.TransportTask.LoadSize;
+import org.toqa.motion.Trajectory;
 import org.toqa.traffic.floor.FormationFootprint;
 import org.toqa.traffic.floor.FormationPaths;
 
@@ -41,23 +43,30 @@ final class FormationPlacement {
    * @param object where the load is, metres, map frame
    * @param goal where it is carried, metres, map frame
    * @param radius of the largest robot, metres
+   * @param law the one that asks the most, of those that the robots follow by
    * @return empty where there is no room for them or no path, wherever the load faces
    */
   Optional<Formation> find(
-      Vec2 object, Vec2 goal, int robots, @Nullable LoadSize requestedSize, double radius) {
+      Vec2 object,
+      Vec2 goal,
+      int robots,
+      @Nullable LoadSize requestedSize,
+      double radius,
+      FollowerLawType law) {
     LoadSize size = requestedSize == null ? LoadSize.DEFAULT : requestedSize;
     FormationPaths paths = new FormationPaths(grid, goal);
-    return around(object, robots, size, radius).stream()
+    return around(object, robots, size, radius, law).stream()
         .filter(formation -> paths.hasPath(formation.group(), formation.pose(0)))
         .findFirst();
   }
 
   /** Those that have room where the load is, the best first. */
-  List<Formation> around(Vec2 object, int robots, LoadSize size, double radius) {
+  List<Formation> around(
+      Vec2 object, int robots, LoadSize size, double radius, FollowerLawType law) {
     Shape ideal = Shape.around(robots, size.length(), size.width(), radius);
     return IntStream.range(0, EIGHTHS)
         .boxed()
-        .flatMap(eighths -> at(object, eighths, ideal, size, radius))
+        .flatMap(eighths -> at(object, eighths, ideal, size, radius, law))
         .sorted(
             Comparator.<Formation>comparingLong(f -> Math.round(f.shape().imbalance() / ALIKE))
                 .thenComparingLong(f -> Math.round(f.group().width() / ALIKE)))
@@ -71,18 +80,22 @@ final class FormationPlacement {
   }
 
   private Stream<Formation> at(
-      Vec2 object, int eighths, Shape ideal, LoadSize size, double radius) {
+      Vec2 object, int eighths, Shape ideal, LoadSize size, double radius, FollowerLawType law) {
     Pose load = new Pose(object.x(), object.y(), eighths * EIGHTH);
     double turn = Formation.turnOf(load, size);
+    // what a follower may be off its place beyond what any robot may be beside its path
+    double beyond = law.tolerance() - Trajectory.MAX_DEVIATION;
     return new LoadPlaces(grid, load, size, turn, radius)
         .nearest(ideal).stream()
             .filter(shape -> canHold(shape, size, turn))
+            .map(shape -> shape.withLaw(law))
             .map(
                 shape ->
                     new Formation(
                         shape,
                         load,
                         size,
-                        new FormationFootprint(shape, radius, size.length(), size.width())));
+                        new FormationFootprint(
+                            shape, radius + beyond, size.length(), size.width())));
   }
 }

@@ -1,5 +1,6 @@
 package org.toqa.fleet.floor;
 
+import java.util.Comparator;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
@@ -12,6 +13,7 @@ import org.toqa.fleet.FloorView.HeldLoad;
 import org.toqa.fleet.FloorView.HoldPoint;
 import org.toqa.fleet.RobotCapabilities;
 import org.toqa.fleet.robot.RobotMessage;
+import org.toqa.formation.FollowerLawType;
 import org.toqa.geometry.Pose;
 import org.toqa.geometry.Vec2;
 import org.toqa.link.message.AgentMessage.Role;
@@ -57,7 +59,18 @@ final class Formations {
                 mission.task().goal().position(),
                 robots.size(),
                 mission.task().size(),
-                largestRadius(mission)));
+                largestRadius(mission),
+                law(mission)));
+  }
+
+  /** The one that asks the most of the group, of those that its robots follow by. */
+  private FollowerLawType law(Mission mission) {
+    return mission.assignedRobots().stream()
+        .map(assigned -> state.robots.get(assigned.robot()))
+        .filter(Objects::nonNull)
+        .map(robot -> FollowerLawType.of(robot.reported.capabilities().kind()))
+        .max(Comparator.naturalOrder())
+        .orElse(FollowerLawType.OMNI);
   }
 
   private double largestRadius(Mission mission) {
@@ -225,12 +238,18 @@ final class Formations {
 
   /** What every robot of the group that this one leads can do. */
   private DriveSpeeds groupSpeeds(FloorRobot leader) {
-    return carryingMission(leader.name()).stream()
-        .flatMap(mission -> mission.assignedRobots().stream())
-        .map(assigned -> state.robots.get(assigned.robot()))
-        .filter(Objects::nonNull)
-        .map(Formations::speeds)
-        .reduce(speeds(leader), DriveSpeeds::slower);
+    DriveSpeeds slowest =
+        carryingMission(leader.name()).stream()
+            .flatMap(mission -> mission.assignedRobots().stream())
+            .map(assigned -> state.robots.get(assigned.robot()))
+            .filter(Objects::nonNull)
+            .map(Formations::speeds)
+            .reduce(speeds(leader), DriveSpeeds::slower);
+    double most =
+        ledFormation(leader.name())
+            .map(formation -> formation.shape().law().mostSpeed())
+            .orElse(Double.POSITIVE_INFINITY);
+    return slowest.atMost(most, Double.POSITIVE_INFINITY);
   }
 
   /** The order for a follower. */
@@ -242,7 +261,7 @@ final class Formations {
         leader(mission),
         leader == null ? null : leader.fingerprint(),
         formation.offset(index(mission, robot.name())),
-        Formation.TOLERANCE,
+        formation.tolerance(),
         Objects.requireNonNull(robot.reported.pose()));
   }
 
@@ -255,7 +274,7 @@ final class Formations {
             .filter(Objects::nonNull)
             .map(r -> new Follower(r.name(), r.record().host(), r.record().port(), r.fingerprint()))
             .toList();
-    return new RobotMessage.Lead(mission.id(), Formation.TOLERANCE, followers);
+    return new RobotMessage.Lead(mission.id(), of(mission).orElseThrow().tolerance(), followers);
   }
 
   /** Where the load of a group is while it is on board; null where nobody knows. */

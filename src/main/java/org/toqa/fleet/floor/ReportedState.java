@@ -100,7 +100,8 @@ final class ReportedState {
             hello.footprint(),
             DriveSpeeds.DEFAULT.atMost(hello.maxSpeed(), hello.maxTurnRate()),
             hello.maxLoad(),
-            hello.sensorRange());
+            hello.sensorRange(),
+            hello.driveKind());
     alert = null;
     unreachable = null;
     rejectedChange = null;

@@ -4,6 +4,7 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.Objects;
 import java.util.Optional;
+import org.toqa.formation.FollowerLawType;
 import org.toqa.geometry.Vec2;
 import org.toqa.grid.Bottleneck;
 import org.toqa.grid.OccupancyGrid;
@@ -26,7 +27,7 @@ public final class TeamRoomCheck {
   /**
    * Why so many robots cannot carry it, and where; empty if they can, or one does.
    *
-   * @param diameter of the largest of them, metres
+   * @param diameter of the largest of them, metres; robots that go in any direction
    */
   public Optional<Sentence> objection(Mission mission, int robots, double diameter) {
     if (robots < 2) {
@@ -35,7 +36,8 @@ public final class TeamRoomCheck {
     Vec2 object = mission.object().position();
     Vec2 goal = mission.task().goal().position();
     LoadSize size = Objects.requireNonNullElse(mission.task().size(), LoadSize.DEFAULT);
-    List<Formation> around = places.around(object, robots, size, diameter / 2);
+    List<Formation> around =
+        places.around(object, robots, size, diameter / 2, FollowerLawType.OMNI);
     FormationPaths paths = new FormationPaths(grid, goal);
     if (around.stream().anyMatch(f -> paths.hasPath(f.group(), f.pose(0)))) {
       return Optional.empty();

@@ -49,7 +49,8 @@ final class TaskBidder {
     }
     DriveSpeeds speeds = DriveSpeeds.DEFAULT.atMost(hello.maxSpeed(), hello.maxTurnRate());
     RobotCapabilities can =
-        new RobotCapabilities(hello.footprint(), speeds, hello.maxLoad(), hello.sensorRange());
+        new RobotCapabilities(
+            hello.footprint(), speeds, hello.maxLoad(), hello.sensorRange(), hello.driveKind());
     return new OwnView(
         robot.name(),
         can.allowedLoad(robot),

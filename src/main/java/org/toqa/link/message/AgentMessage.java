@@ -9,6 +9,7 @@ import java.util.List;
 import org.jspecify.annotations.Nullable;
 import org.toqa.geometry.Pose;
 import org.toqa.geometry.Vec2;
+import org.toqa.motion.DriveKind;
 
 /** What a robot says to the server, and a follower to its leader. */
 @JsonTypeInfo(use = JsonTypeInfo.Id.NAME, property = "type")
@@ -47,6 +48,7 @@ public sealed interface AgentMessage {
    * @param maxTurnRate radians a second
    * @param footprint diameter in metres
    * @param sensorRange metres that its range sensors see from its rim; 0: it has none
+   * @param kind how it can move: the word of a {@link DriveKind}
    * @param localised whether the robot trusts its pose; if not, it drives nothing until {@code
    *     locate}
    * @param pose map frame
@@ -64,6 +66,7 @@ public sealed interface AgentMessage {
       double maxTurnRate,
       double footprint,
       double sensorRange,
+      String kind,
       boolean localised,
       Pose pose,
       Mode mode,
@@ -75,7 +78,12 @@ public sealed interface AgentMessage {
       int released,
       long lastSeq,
       @JsonSetter(nulls = Nulls.SET) @Nullable PhaseEnd done)
-      implements AgentMessage {}
+      implements AgentMessage {
+
+    public DriveKind driveKind() {
+      return DriveKind.of(kind);
+    }
+  }
 
   /**
    * A phase flag: this drive ended this phase of this task.

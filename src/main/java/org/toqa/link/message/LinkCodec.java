@@ -6,6 +6,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.stream.Collectors;
 import org.jspecify.annotations.Nullable;
+import org.toqa.motion.DriveKind;
 import org.toqa.text.CleanText;
 import tools.jackson.core.JacksonException;
 import tools.jackson.core.JsonParser;
@@ -226,6 +227,7 @@ public final class LinkCodec {
       case "hello" -> {
         addIfMissing(message, "maxTurnRate", MAX_TURN_RATE_NOT_SENT);
         addIfMissing(message, "sensorRange", SENSOR_RANGE_NOT_SENT);
+        addKindIfMissing(message);
       }
       case "state" -> {
         addNullIfMissing(message, "placeError");
@@ -238,6 +240,13 @@ public final class LinkCodec {
   private static void addIfMissing(JsonNode node, String field, double value) {
     if (node instanceof ObjectNode object && !object.has(field)) {
       object.put(field, value);
+    }
+  }
+
+  /** A daemon that does not tell its kind drives on three omni wheels. */
+  private static void addKindIfMissing(JsonNode hello) {
+    if (hello instanceof ObjectNode object && !object.has("kind")) {
+      object.put("kind", DriveKind.OMNI.word());
     }
   }
 

@@ -19,6 +19,7 @@ import org.toqa.grid.OccupancyGrid;
 import org.toqa.mission.TaskPlace;
 import org.toqa.mission.TaskState;
 import org.toqa.mission.TransportTask;
+import org.toqa.motion.DriveKind;
 import org.toqa.motion.DriveSpeeds;
 import org.toqa.sim.Body;
 import org.toqa.sim.ClearanceJudge;
@@ -118,6 +119,7 @@ class FleetMeterTest {
   private static RobotView robot(String name, double x, double y) {
     double footprint = name.equals("r1") ? 0.2 : 0.3;
     return Hall.robot(name, RobotState.DRIVING, new Pose(x, y, 0), "127.0.0.1", 7275)
-        .withCapabilities(new RobotCapabilities(footprint, DriveSpeeds.DEFAULT, 5, 0.8));
+        .withCapabilities(
+            new RobotCapabilities(footprint, DriveSpeeds.DEFAULT, 5, 0.8, DriveKind.OMNI));
   }
 }

@@ -16,6 +16,7 @@ import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.toqa.fleet.RobotCapabilities;
+import org.toqa.formation.FollowerLawType;
 import org.toqa.geometry.Pose;
 import org.toqa.grid.Cell;
 import org.toqa.grid.FloorMap;
@@ -94,7 +95,9 @@ class FormationPlacementTest {
       if (round(start, goal, 2).isPresent()) {
         paths++;
         assertTrue(
-            finePlaces.find(start.position(), goal.position(), 2, null, RADIUS).isPresent(),
+            finePlaces
+                .find(start.position(), goal.position(), 2, null, RADIUS, FollowerLawType.OMNI)
+                .isPresent(),
             start + " to " + goal);
       }
     }
@@ -135,7 +138,8 @@ class FormationPlacementTest {
   }
 
   private static Optional<Formation> round(Place start, Place goal, int robots) {
-    return places.find(start.position(), goal.position(), robots, null, RADIUS);
+    return places.find(
+        start.position(), goal.position(), robots, null, RADIUS, FollowerLawType.OMNI);
   }
 
   private static Pose beside(Pose place, Random random) {

@@ -19,6 +19,7 @@ import org.toqa.fleet.RobotView.Telemetry;
 import org.toqa.fleet.RobotView.Work;
 import org.toqa.geometry.Pose;
 import org.toqa.mission.Phase;
+import org.toqa.motion.DriveKind;
 import org.toqa.motion.DriveSpeeds;
 import org.toqa.testbed.Hall;
 import org.toqa.wording.Sentence;
@@ -153,7 +154,8 @@ class UtilisationMeterTest {
     Long task = phase == 0 ? null : 7L;
     return Hall.robot("r1", state, null, "127.0.0.1", 7275)
         .withCapabilities(
-            new RobotCapabilities(0.3, new DriveSpeeds(SPEED, 1, 1), Double.MAX_VALUE, 0.8))
+            new RobotCapabilities(
+                0.3, new DriveSpeeds(SPEED, 1, 1), Double.MAX_VALUE, 0.8, DriveKind.OMNI))
         .withWork(new Work(task, Phase.stored(phase), held, null, Sentence.verbatim("")))
         .withTelemetry(new Telemetry(new Pose(x, 0, 0), battery, Readings.NONE, List.of(), seen));
   }

@@ -14,6 +14,7 @@ import org.toqa.link.message.AgentMessage.Mode;
 import org.toqa.link.message.AgentMessage.Role;
 import org.toqa.link.message.AgentMessage.Speed;
 import org.toqa.link.message.AgentMessage.State;
+import org.toqa.motion.DriveKind;
 
 class PerceptFilterTest {
   private static final Instant START = Instant.parse("2026-11-21T08:00:00Z");
@@ -128,6 +129,7 @@ class PerceptFilterTest {
           3.5,
           0.255,
           0.8,
+          DriveKind.OMNI.word(),
           true,
           new Pose(5, 5, 0),
           Mode.IDLE,

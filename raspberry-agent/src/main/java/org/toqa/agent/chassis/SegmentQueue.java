@@ -6,6 +6,7 @@ import org.toqa.agent.drive.ReferenceTrajectory;
 import org.toqa.agent.drive.SegmentRunner;
 import org.toqa.geometry.Pose;
 import org.toqa.geometry.Twist;
+import org.toqa.motion.DriveKind;
 
 /**
  * The segments of one path that a simulated body drives by itself, as the firmware does: the
@@ -17,11 +18,16 @@ final class SegmentQueue {
   private final SegmentRunner runner;
   private boolean onward = true;
 
-  /** Begins a path. */
-  SegmentQueue(DrivePath order) {
+  /**
+   * Begins a path.
+   *
+   * @param kind of the body
+   */
+  SegmentQueue(DrivePath order, DriveKind kind) {
     path = order.number();
     runner =
-        new SegmentRunner(new ReferenceTrajectory(order.start(), List.of(), 0, order.limits()));
+        new SegmentRunner(
+            new ReferenceTrajectory(order.start(), List.of(), 0, order.limits()), kind);
     take(order);
     runner.trajectory().setProgress(0, 0, order.pace());
   }

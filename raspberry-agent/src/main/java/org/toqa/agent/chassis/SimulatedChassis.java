@@ -11,6 +11,7 @@ import org.toqa.avoidance.RangeSensors;
 import org.toqa.geometry.Pose;
 import org.toqa.geometry.Twist;
 import org.toqa.geometry.Vec2;
+import org.toqa.motion.DriveKind;
 import org.toqa.motion.Odometry;
 import org.toqa.motion.WheelKinematics;
 import org.toqa.motion.WheelLimits;
@@ -51,6 +52,7 @@ public final class SimulatedChassis implements Chassis {
   private final Surroundings surroundings;
   private final SimulatedRangeSensors ranges;
   private final WheelKinematics kinematics;
+  private final DriveKind kind;
   private final double noise;
   private final ThreeWheels wheelSizes;
   private final SplittableRandom random;
@@ -111,6 +113,23 @@ public final class SimulatedChassis implements Chassis {
         surroundings);
   }
 
+  /**
+   * The same on other wheels.
+   *
+   * @throws IOException as above
+   */
+  public SimulatedChassis(
+      Path file,
+      Pose start,
+      SimulatedBattery battery,
+      SimulatedWheels wheels,
+      long seed,
+      RangeSensors sensors,
+      Surroundings surroundings)
+      throws IOException {
+    this(new SimulatedChassisFile(file), start, battery, wheels, seed, sensors, surroundings);
+  }
+
   /** A new body that nothing is kept of, with a full battery. */
   public SimulatedChassis(Pose start, SimulatedWheels wheels, long seed) {
     this(
@@ -136,6 +155,7 @@ public final class SimulatedChassis implements Chassis {
     this.surroundings = surroundings;
     this.ranges = new SimulatedRangeSensors(sensors, surroundings, seed);
     this.kinematics = wheels.kinematics();
+    this.kind = wheels.kind();
     this.noise = wheels.slip();
     this.wheelSizes = wheelSizes(wheels.sizeError(), seed);
     state =
@@ -184,7 +204,7 @@ public final class SimulatedChassis implements Chassis {
       case DrivePath path when driven != null && driven.path() == path.number() ->
           driven.take(path);
       case DrivePath path when path.number() > lastPath -> {
-        queue = new SegmentQueue(path);
+        queue = new SegmentQueue(path, kind);
         lastPath = path.number();
       }
       case DrivePath _ -> {} // it was dropped

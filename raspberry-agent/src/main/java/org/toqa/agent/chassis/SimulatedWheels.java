@@ -1,6 +1,7 @@
 package org.toqa.agent.chassis;
 
 import org.toqa.motion.DifferentialKinematics;
+import org.toqa.motion.DriveKind;
 import org.toqa.motion.ThreeWheelKinematics;
 import org.toqa.motion.WheelKinematics;
 
@@ -13,6 +14,26 @@ import org.toqa.motion.WheelKinematics;
 public record SimulatedWheels(WheelKinematics kinematics, double slip, double sizeError) {
 
   private static final WheelKinematics TWO_WHEELS = new DifferentialKinematics(0.04, 0.20);
+
+  /**
+   * Those of a robot of a kind, all of their nominal size.
+   *
+   * @param slip see the class: a share, at least 0
+   */
+  public static SimulatedWheels of(DriveKind kind, double slip) {
+    return switch (kind) {
+      case OMNI -> omni(slip, 0);
+      case DIFFERENTIAL -> differential(slip, 0);
+    };
+  }
+
+  /** What a body on these wheels can do. */
+  DriveKind kind() {
+    return switch (kinematics) {
+      case ThreeWheelKinematics _ -> DriveKind.OMNI;
+      case DifferentialKinematics _ -> DriveKind.DIFFERENTIAL;
+    };
+  }
 
   /**
    * Three omnidirectional wheels.

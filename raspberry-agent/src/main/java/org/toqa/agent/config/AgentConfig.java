@@ -16,6 +16,7 @@ import org.toqa.formation.FollowerLaw;
 import org.toqa.formation.FollowerLawType;
 import org.toqa.formation.Gains;
 import org.toqa.formation.SingleIntegratorLaw;
+import org.toqa.motion.DriveKind;
 import org.toqa.yaml.YamlParser;
 import org.toqa.yaml.YamlSyntaxException;
 
@@ -31,6 +32,7 @@ import org.toqa.yaml.YamlSyntaxException;
  * @param dataDir where the journal and a simulated body are kept
  * @param maxLoad kilograms
  * @param footprint diameter in metres
+ * @param kind how it can move
  */
 public record AgentConfig(
     String name,
@@ -40,6 +42,7 @@ public record AgentConfig(
     Path dataDir,
     double maxLoad,
     double footprint,
+    DriveKind kind,
     MotionLimits limits,
     Following following,
     ChassisConfig chassis) {
@@ -52,6 +55,7 @@ public record AgentConfig(
     "dataDir",
     "maxLoad",
     "footprint",
+    "kind",
     "maxSpeed",
     "maxTurnRate",
     "acceleration",
@@ -70,6 +74,11 @@ public record AgentConfig(
   public record Following(FollowerLaw law, double linkDelay) {
     public static final Following DEFAULT =
         new Following(new SingleIntegratorLaw(Gains.DEFAULT), 0.02);
+
+    /** The usual of robots of a kind. */
+    public static Following of(DriveKind kind) {
+      return new Following(FollowerLawType.of(kind).withGains(Gains.DEFAULT), DEFAULT.linkDelay());
+    }
   }
 
   /**
@@ -79,6 +88,7 @@ public record AgentConfig(
    */
   public static AgentConfig read(Path file) throws ConfigException {
     ConfigSection top = new ConfigSection(file.toString(), "", readKeys(file), KEYS);
+    DriveKind kind = kind(top);
     AgentConfig config =
         new AgentConfig(
             robotName(top),
@@ -88,9 +98,15 @@ public record AgentConfig(
             file.toAbsolutePath().resolveSibling(top.text("dataDir")).normalize(),
             top.number("maxLoad", 5, 0, 10_000),
             top.number("footprint", 0.255, 0.05, 5),
+            kind,
             limits(top),
-            following(top.section("following", "law", "placeGain", "headingGain", "linkDelay")),
+            following(
+                kind, top.section("following", "law", "placeGain", "headingGain", "linkDelay")),
             ChassisConfig.read(file, top));
+    if (!kind.canGoSideways() && !config.chassis.canBeOnTwoWheels()) {
+      throw top.invalid(
+          "kind", kind.word(), "omni: this project's microcontroller turns three omni wheels");
+    }
     // the body is asked last, so that mistakes are told in the order of the keys
     top.number("maxSpeed", config.limits.speed(), 0.01, config.chassis.mostSpeed());
     top.number("maxTurnRate", config.limits.turnRate(), 0.01, config.chassis.mostTurnRate());
@@ -136,6 +152,16 @@ public record AgentConfig(
     }
   }
 
+  private static DriveKind kind(ConfigSection top) throws ConfigException {
+    String word = top.text("kind", DriveKind.OMNI.word());
+    for (DriveKind kind : DriveKind.values()) {
+      if (kind.word().equals(word)) {
+        return kind;
+      }
+    }
+    throw top.invalid("kind", word, "omni or differential");
+  }
+
   private static MotionLimits limits(ConfigSection top) throws ConfigException {
     return new MotionLimits(
         top.number("maxSpeed", 0.5, 0.01, 5),
@@ -144,7 +170,8 @@ public record AgentConfig(
         top.number("turnAcceleration", 3, 0.01, 50));
   }
 
-  private static Following following(ConfigSection following) throws ConfigException {
+  private static Following following(DriveKind kind, ConfigSection following)
+      throws ConfigException {
     Gains usual = Gains.DEFAULT;
     Gains gains =
         new Gains(
@@ -153,7 +180,11 @@ public record AgentConfig(
             usual.mostSpeed(),
             usual.mostTurnRate());
     double linkDelay = following.number("linkDelay", Following.DEFAULT.linkDelay(), 0, 0.2);
-    String law = following.text("law", FollowerLawType.OMNI.word());
+    FollowerLawType usualLaw = FollowerLawType.of(kind);
+    String law = following.text("law", usualLaw.word());
+    if (law.equals(FollowerLawType.OMNI.word()) && !kind.canGoSideways()) {
+      throw following.invalid("law", law, "non-holonomic for a robot that cannot go sideways");
+    }
     for (FollowerLawType type : FollowerLawType.values()) {
       if (type.word().equals(law)) {
         return new Following(type.withGains(gains), linkDelay);

@@ -16,6 +16,14 @@ public sealed interface ChassisConfig {
     return 1;
   }
 
+  /** Whether it may be a body on two wheels: one that this project's firmware does not drive. */
+  default boolean canBeOnTwoWheels() {
+    return switch (this) {
+      case Simulated _, Serial _ -> true;
+      case SimulatedFirmware _, Spi _ -> false;
+    };
+  }
+
   /** Metres a second: no faster may it be told to drive. */
   default double mostSpeed() {
     return 1;

@@ -14,6 +14,7 @@ import org.toqa.agent.drive.SegmentRunner;
 import org.toqa.link.message.AgentMessage.Fault;
 import org.toqa.link.message.ServerMessage.Drive;
 import org.toqa.link.message.ServerMessage.Extend;
+import org.toqa.motion.DriveKind;
 
 /**
  * The current drive: its trajectory, whether it ends its phase, and whether it was cancelled. A
@@ -36,15 +37,22 @@ final class DriveRun {
   private int calmTicks = CALM_TICKS;
 
   /**
+   * @param kind of the robot
    * @param avoider has seen nothing yet
    * @param pathNumbers of the paths that the body is given: a higher one at each call
    */
-  DriveRun(Drive order, MotionLimits limits, ObstacleAvoider avoider, LongSupplier pathNumbers) {
+  DriveRun(
+      Drive order,
+      MotionLimits limits,
+      DriveKind kind,
+      ObstacleAvoider avoider,
+      LongSupplier pathNumbers) {
     this.avoider = avoider;
     PaceLimits alone = PaceLimits.forSingleRobot(limits);
     runner =
         new SegmentRunner(
             new ReferenceTrajectory(order.start(), order.segments(), order.released(), alone),
+            kind,
             avoider);
     relay = new PathRelay(runner.trajectory(), alone, pathNumbers);
     isFinal = order.last();

@@ -100,7 +100,7 @@ public final class RobotControl {
     this.stopClearer = stopClearer;
     this.record = new RobotRecord(config.name(), journal, body);
     this.rules = new CommandRules(config, encrypted, record);
-    this.avoider = new ObstacleAvoider(config.footprint() / 2);
+    this.avoider = new ObstacleAvoider(config.footprint() / 2, config.kind());
   }
 
   /**
@@ -200,9 +200,9 @@ public final class RobotControl {
   }
 
   private void begin(Drive order) {
-    avoider = new ObstacleAvoider(config.footprint() / 2);
+    avoider = new ObstacleAvoider(config.footprint() / 2, config.kind());
     Optional<DriveRun> drive =
-        Optional.of(new DriveRun(order, config.limits(), avoider, () -> ++lastPath));
+        Optional.of(new DriveRun(order, config.limits(), config.kind(), avoider, () -> ++lastPath));
     activity =
         activity instanceof Leading(var leader, _) ? new Leading(leader, drive) : new Alone(drive);
     log.info(

@@ -49,6 +49,7 @@ public record RobotReport(
         config.limits().turnRate(),
         config.footprint(),
         RangeSensors.FARTHEST,
+        config.kind().word(),
         isLocalised,
         pose,
         mode,

@@ -14,6 +14,7 @@ import org.toqa.geometry.Pose;
 import org.toqa.geometry.Twist;
 import org.toqa.geometry.Vec2;
 import org.toqa.link.message.AgentMessage.Fault;
+import org.toqa.motion.DriveKind;
 
 /**
  * Watches the path that a robot is about to drive: lets it pass beside an obstacle that only
@@ -32,6 +33,7 @@ public final class ObstacleAvoider {
   private static final double STOP_DISTANCE = 0.02;
 
   private final double radius;
+  private final double mostAside;
   private final RangeSensors sensors;
   private final DetectionMemory blockingSightings = new DetectionMemory();
   private final DetectionMemory nearSightings = new DetectionMemory();
@@ -43,9 +45,12 @@ public final class ObstacleAvoider {
 
   /**
    * @param radius of the robot, metres
+   * @param kind of the robot: one that cannot go sideways stops before what is beside its path, too
+   *     near to it
    */
-  public ObstacleAvoider(double radius) {
+  public ObstacleAvoider(double radius, DriveKind kind) {
     this.radius = radius;
+    this.mostAside = kind.canGoSideways() ? Sidestep.MAX_OFFSET : 0;
     this.sensors = new RangeSensors(radius);
   }
 
@@ -110,7 +115,7 @@ public final class ObstacleAvoider {
 
   private Corridor updatePassage(ReferenceTrajectory trajectory, List<Vec2> seen) {
     Corridor corridor = new Corridor(trajectory.posesAhead(RangeSensors.FARTHEST + 2 * radius));
-    passage = Passage.through(corridor, seen, radius);
+    passage = Passage.through(corridor, seen, radius, mostAside);
     remember();
     return corridor;
   }

@@ -7,10 +7,12 @@ import java.util.List;
 import org.toqa.formation.FollowerLaw;
 import org.toqa.formation.Gains;
 import org.toqa.formation.SingleIntegratorLaw;
+import org.toqa.formation.UnicycleLaw;
 import org.toqa.geometry.Angles;
 import org.toqa.geometry.Pose;
 import org.toqa.geometry.Twist;
 import org.toqa.geometry.Vec2;
+import org.toqa.motion.DriveKind;
 import org.toqa.motion.Trajectory;
 
 /**
@@ -18,6 +20,9 @@ import org.toqa.motion.Trajectory;
  * steered after it, and where it is stopped the robot is corrected towards it until it is within
  * {@link #SETTLED_METRES}. The reference slows down for a robot that falls behind or comes aside,
  * and waits for it, so that a blocked robot is not left alone by it.
+ *
+ * <p>A robot that cannot go sideways comes back to its path while it drives, and stands where it is
+ * beside it: only what it lags behind slows the reference down, and has to be settled.
  *
  * <p>A robot that is more than {@link Trajectory#MAX_DEVIATION} beside its path stands, for nobody
  * has kept that place free; it goes on when it is put back, or by another drive from where it is.
@@ -52,10 +57,13 @@ public final class SegmentRunner {
   private static final int RESPONSE_TICKS = 3;
 
   /** Time constant 1/3 s, well above the 20 ms of a tick and the lag of the motors. */
-  private static final FollowerLaw TRACKING = new SingleIntegratorLaw(new Gains(3, 3, 0.1, 0.5));
+  private static final FollowerLaw OMNI = new SingleIntegratorLaw(new Gains(3, 3, 0.1, 0.5));
+
+  private static final FollowerLaw DIFFERENTIAL = new UnicycleLaw();
 
   private final ReferenceTrajectory trajectory;
   private final ObstacleAvoider avoider;
+  private final DriveKind kind;
   private final Deque<Pose> pastReferences = new ArrayDeque<>();
 
   /** The path that the reference has left behind, as points, the newest last. */
@@ -65,15 +73,17 @@ public final class SegmentRunner {
   private double deviation;
   private boolean isOffPath;
 
-  public SegmentRunner(ReferenceTrajectory trajectory) {
-    this(trajectory, new ObstacleAvoider(0));
+  public SegmentRunner(ReferenceTrajectory trajectory, DriveKind kind) {
+    this(trajectory, kind, new ObstacleAvoider(0, kind));
   }
 
   /**
+   * @param kind of the robot
    * @param avoider says how far beside its path the robot drives
    */
-  public SegmentRunner(ReferenceTrajectory trajectory, ObstacleAvoider avoider) {
+  public SegmentRunner(ReferenceTrajectory trajectory, DriveKind kind, ObstacleAvoider avoider) {
     this.trajectory = trajectory;
+    this.kind = kind;
     this.avoider = avoider;
     pastReferences.add(trajectory.pose());
     trail.add(trajectory.pose().position());
@@ -122,7 +132,7 @@ public final class SegmentRunner {
     settled = trajectory.isStanding() && isNear(reference, actual, settled ? HYSTERESIS : 1);
     return settled || isOffPath
         ? Twist.ZERO
-        : TRACKING.velocity(followed, avoider.corrected(trajectory.twist()), actual);
+        : law().velocity(followed, avoider.corrected(trajectory.twist()), actual);
   }
 
   /**
@@ -137,12 +147,28 @@ public final class SegmentRunner {
     settled = false;
   }
 
-  /** Returns how far the robot is from where the reference was, in metres. */
+  private FollowerLaw law() {
+    return switch (kind) {
+      case OMNI -> OMNI;
+      case DIFFERENTIAL -> DIFFERENTIAL;
+    };
+  }
+
+  /**
+   * Returns how far the robot is from where the reference was, in metres; one that cannot go
+   * sideways, in the direction in which it can.
+   */
   private double observe(Pose actual) {
-    double error = pastReferences.getFirst().distanceTo(actual);
+    Pose reference = pastReferences.getFirst();
+    double error = reference.distanceTo(actual);
     deviation = error <= RETURNED_METRES ? error : distanceToPath(actual.position());
     isOffPath = deviation > (isOffPath ? RETURNED_METRES : Trajectory.MAX_DEVIATION);
-    return error;
+    return kind.canGoSideways() ? error : lag(reference, actual);
+  }
+
+  /** Metres that a robot is before or behind where it should be. */
+  private static double lag(Pose reference, Pose actual) {
+    return Math.abs(reference.position().minus(actual.position()).rotated(-actual.theta()).x());
   }
 
   private void leaveTrail(Vec2 point) {
@@ -171,8 +197,9 @@ public final class SegmentRunner {
         : pastReferences.getFirst();
   }
 
-  private static boolean isNear(Pose reference, Pose actual, double tolerances) {
-    return reference.distanceTo(actual) <= SETTLED_METRES * tolerances
+  private boolean isNear(Pose reference, Pose actual, double tolerances) {
+    double error = kind.canGoSideways() ? reference.distanceTo(actual) : lag(reference, actual);
+    return error <= SETTLED_METRES * tolerances
         && Math.abs(Angles.difference(reference.theta(), actual.theta()))
             <= SETTLED_RADIANS * tolerances;
   }

@@ -17,7 +17,10 @@ import org.toqa.agent.EndedCommand;
 import org.toqa.agent.chassis.SimulatedBattery;
 import org.toqa.agent.drive.MotionLimits;
 import org.toqa.agent.firmware.FirmwareSettings;
+import org.toqa.formation.Gains;
+import org.toqa.formation.NonHolonomicLaw;
 import org.toqa.geometry.Pose;
+import org.toqa.motion.DriveKind;
 
 class AgentConfigTest {
 
@@ -82,6 +85,16 @@ class AgentConfigTest {
     assertEquals(folder.resolve("data"), least.dataDir(), "it lies beside the file");
   }
 
+  @Test
+  void robotThatCannotGoSidewaysFollowsByTheLawForIt() throws ConfigException, IOException {
+    AgentConfig config =
+        AgentConfig.read(
+            file("{name: r1, dataDir: d, kind: differential, chassis: {type: simulated}}"));
+
+    assertEquals(DriveKind.DIFFERENTIAL, config.kind());
+    assertEquals(new NonHolonomicLaw(Gains.DEFAULT), config.following().law());
+  }
+
   @ParameterizedTest
   @CsvSource(
       delimiter = '|',
@@ -100,6 +113,9 @@ class AgentConfigTest {
           {name: r1, dataDir: d, chassis: {type: serial, baud: 9600}} | "chassis.baud" is 9600; it must be a whole number from 115200 to 1000000.
           {name: r1, dataDir: d, chassis: {type: simulated-firmware}} | the key "chassis.socket" is missing.
           {name: r1, dataDir: d, following: {law: fly}} | "following.law" is fly; it must be omni or non-holonomic.
+          {name: r1, dataDir: d, kind: legs} | "kind" is legs; it must be omni or differential.
+          {name: r1, dataDir: d, kind: differential, following: {law: omni}} | "following.law" is omni; it must be non-holonomic for a robot that cannot go sideways.
+          {name: r1, dataDir: d, kind: differential, chassis: {type: spi}} | "kind" is differential; it must be omni: this project's microcontroller turns three omni wheels.
           {name: r1, dataDir: d, following: {placeGain: 50}} | "following.placeGain" is 50; it must be a number from 0.1 to 5.
           {name: r1, dataDir: d}              | the key "chassis.type" is missing.
           {dataDir: d}                        | the key "name" is missing.
