@@ -112,10 +112,10 @@ final class FormationMoves {
     if (!isOpen(end)) {
       return false;
     }
-    int known = openCorners[state] >> 2 * corner & 3;
+    int known = (openCorners[state] >> (2 * corner)) & 3;
     if (known == 0) {
       known = isOpenOnMove(state, CORNERS[corner]) ? 1 : 2;
-      openCorners[state] |= (byte) (known << 2 * corner);
+      openCorners[state] |= (byte) (known << (2 * corner));
     }
     return known == 1;
   }
