@@ -4,7 +4,6 @@ import java.time.Instant;
 import java.util.List;
 import java.util.Map;
 import org.jspecify.annotations.Nullable;
-import org.toqa.allocation.Zone;
 import org.toqa.geometry.Vec2;
 import org.toqa.grid.CellRuns;
 import org.toqa.mission.LoadRecord;
@@ -35,7 +34,7 @@ public record FloorView(
     @Nullable ChargerShortage chargerShortage,
     List<SeenObstacle> seen,
     List<HeldLoad> heldLoads,
-    List<Zone> zones) {
+    List<ZoneView> zones) {
 
   /** Without what is only shown. */
   public FloorView(
@@ -71,7 +70,7 @@ public record FloorView(
     zones = List.copyOf(zones);
   }
 
-  public FloorView withZones(List<Zone> next) {
+  public FloorView withZones(List<ZoneView> next) {
     return new FloorView(
         name,
         hold,
@@ -107,6 +106,14 @@ public record FloorView(
       points = List.copyOf(points);
     }
   }
+
+  /**
+   * A robot's part of the floor, by the allocator {@code zones}.
+   *
+   * @param low corner, metres, map frame
+   * @param high corner, metres, map frame
+   */
+  public record ZoneView(String robot, Vec2 low, Vec2 high) {}
 
   /**
    * @param at metres from the load's middle: x to where the robots face, y to their left

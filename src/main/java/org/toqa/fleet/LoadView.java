@@ -76,8 +76,7 @@ public record LoadView(
   /** A leg that waits for the one before has its load there. */
   private static boolean isKnown(TaskView task) {
     OrderPart part = task.task().part();
-    boolean isWithOther =
-        task.state() == TaskState.QUEUED && part != null && part.awaitsPrevious();
+    boolean isWithOther = task.state() == TaskState.QUEUED && part != null && part.awaitsPrevious();
     return !task.state().isEnded() && !isWithOther;
   }
 

@@ -1,5 +1,4 @@
 import {drawLabel} from '../floor/labels.js';
-import {text} from '../shared/texts.js';
 
 /** The zones of the load-based allocator over the floor, as long as they are switched on. */
 export class Zones {
@@ -36,7 +35,7 @@ export class Zones {
       context.strokeRect(left, top, right - left, bottom - top);
       context.setLineDash([]);
       context.globalAlpha = 1;
-      drawLabel(context, colours, text('map.zone', i + 1, robot), (left + right) / 2, bottom - 6, 'bottom');
+      drawLabel(context, colours, `${i + 1} · ${robot}`, (left + right) / 2, bottom - 6, 'bottom');
     });
   }
 }

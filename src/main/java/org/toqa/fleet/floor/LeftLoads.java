@@ -109,7 +109,8 @@ final class LeftLoads {
       if (fetched != null && isAt(load, fetched)) {
         now.or(load.cells());
       } else if (before.intersects(load.cells())
-          && (traffic.standingCells(robot).intersects(load.cells()) || traffic.isAhead(robot, load.cells()))) {
+          && (traffic.standingCells(robot).intersects(load.cells())
+              || traffic.isAhead(robot, load.cells()))) {
         BitSet same = (BitSet) before.clone();
         same.and(load.cells());
         now.or(same);

@@ -16,6 +16,7 @@ import org.toqa.allocation.WaitExplainer;
 import org.toqa.allocation.Zone;
 import org.toqa.fleet.FleetSnapshot;
 import org.toqa.fleet.FloorView;
+import org.toqa.fleet.FloorView.ZoneView;
 import org.toqa.fleet.RobotView;
 import org.toqa.fleet.TaskView;
 import org.toqa.fleet.floor.FloorEvent;
@@ -123,9 +124,11 @@ final class SnapshotPublisher {
         .toList();
   }
 
-  private List<Zone> zones(String floor) {
+  private List<ZoneView> zones(String floor) {
     OccupancyGrid grid = requireNonNull(fleet.floorMaps.get(floor)).grid();
     Vec2 size = new Vec2(grid.width(), grid.height()).times(grid.resolution());
-    return Zone.of(grid.origin(), grid.origin().plus(size), fleet.candidates(floor));
+    return Zone.of(grid.origin(), grid.origin().plus(size), fleet.candidates(floor)).stream()
+        .map(zone -> new ZoneView(zone.robot(), zone.low(), zone.high()))
+        .toList();
   }
 }

@@ -227,9 +227,7 @@ public final class FloorTraffic {
     }
   }
 
-  /**
-   * Says whether it can be told to move; one that is lost, held or not localised cannot.
-   */
+  /** Says whether it can be told to move; one that is lost, held or not localised cannot. */
   public void setMovable(String name, boolean movable) {
     TrafficRobot robot = robot(name);
     if (robot.isMovable() != movable) {

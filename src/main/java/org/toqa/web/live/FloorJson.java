@@ -3,7 +3,6 @@ package org.toqa.web.live;
 import java.time.Instant;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
-import org.toqa.allocation.Zone;
 import org.toqa.fleet.FloorView;
 import org.toqa.fleet.FloorView.ChargerShortage;
 import org.toqa.fleet.FloorView.FaultyCharger;
@@ -11,6 +10,7 @@ import org.toqa.fleet.FloorView.HeldLoad;
 import org.toqa.fleet.FloorView.LeftLoad;
 import org.toqa.fleet.FloorView.SeenObstacle;
 import org.toqa.fleet.FloorView.StandstillView;
+import org.toqa.fleet.FloorView.ZoneView;
 import org.toqa.geometry.Vec2;
 import org.toqa.web.api.HoldJson;
 import org.toqa.wording.Sentence;
@@ -30,7 +30,7 @@ record FloorJson(
     @Nullable ChargerShortage chargerShortage,
     List<SeenJson> seen,
     List<HeldLoad> heldLoads,
-    List<Zone> zones) {
+    List<ZoneView> zones) {
 
   /** An obstacle that robots see or have seen. */
   record SeenJson(

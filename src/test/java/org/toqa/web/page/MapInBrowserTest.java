@@ -10,7 +10,6 @@ import java.time.Instant;
 import java.util.List;
 import java.util.Map;
 import org.junit.jupiter.api.Test;
-import org.toqa.allocation.Zone;
 import org.toqa.fleet.FloorView;
 import org.toqa.geometry.Pose;
 import org.toqa.geometry.Vec2;
@@ -158,8 +157,8 @@ class MapInBrowserTest extends PagesInBrowser {
                 List.of(),
                 List.of(),
                 List.of(
-                    new Zone("r1", new Vec2(0, 0), new Vec2(6, 8)),
-                    new Zone("r2", new Vec2(6, 0), new Vec2(12, 8)))));
+                    new FloorView.ZoneView("r1", new Vec2(0, 0), new Vec2(6, 8)),
+                    new FloorView.ZoneView("r2", new Vec2(6, 0), new Vec2(12, 8)))));
 
     await(page, () -> !pictureOf(page).equals(before));
     Object withoutZones = pictureOf(page);
