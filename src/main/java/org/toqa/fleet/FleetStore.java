@@ -24,9 +24,10 @@ import org.toqa.persistence.StoreException;
  *   <li>From then on every change is written here before the command that follows from it is sent.
  * </ol>
  *
- * Each call is one transaction, also those within {@link #inOneTransaction} together: when it returns, a crash loses nothing of it; when it throws {@link
- * StoreException}, it has happened as a whole or not at all, and nobody knows which. It may then be
- * repeated: what was stored twice is stored once. Calls may wait; they come from virtual threads.
+ * Each call is one transaction, also those within {@link #inOneTransaction} together: when it
+ * returns, a crash loses nothing of it; when it throws {@link StoreException}, it has happened as a
+ * whole or not at all, and nobody knows which. It may then be repeated: what was stored twice is
+ * stored once. Calls may wait; they come from virtual threads.
  */
 public interface FleetStore {
 

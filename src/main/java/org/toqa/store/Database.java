@@ -256,8 +256,7 @@ public final class Database implements AutoCloseable {
   }
 
   private static Path h2File(Handle h) {
-    return Path.of(
-        h.createQuery("select database_path()").mapTo(String.class).one() + ".mv.db");
+    return Path.of(h.createQuery("select database_path()").mapTo(String.class).one() + ".mv.db");
   }
 
   private DatabaseSize sizeOfH2File(Handle h) {

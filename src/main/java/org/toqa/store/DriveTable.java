@@ -74,10 +74,7 @@ final class DriveTable {
         .map(
             drive ->
                 new StoredDrive(
-                    drive.seq(),
-                    drive.task(),
-                    drive.phase(),
-                    End.apply(ends, drive.trajectory())));
+                    drive.seq(), drive.task(), drive.phase(), End.apply(ends, drive.trajectory())));
   }
 
   static int save(Handle h, String robot, StoredDrive drive) {

@@ -20,12 +20,11 @@ import org.slf4j.LoggerFactory;
  * each commit is written at once: the file grew by 20 kB a commit.
  *
  * <p>Each second, and as soon as the file has grown by a part of itself, what was written is forced
- * to the disk. What a computer that loses its power finds
- * there stays as it is until the next time: the version that was forced counts as used, so that
- * parts of the file which it needs are not used again, and others are at once. Then pages are moved
- * out of parts that hold little, and, where a good deal of the file is free, parts from its end to
- * its front. Freed parts go only as something is written; so for a while after the last change a
- * number is written that nobody uses.
+ * to the disk. What a computer that loses its power finds there stays as it is until the next time:
+ * the version that was forced counts as used, so that parts of the file which it needs are not used
+ * again, and others are at once. Then pages are moved out of parts that hold little, and, where a
+ * good deal of the file is free, parts from its end to its front. Freed parts go only as something
+ * is written; so for a while after the last change a number is written that nobody uses.
  */
 final class H2Compactor implements AutoCloseable {
   /** To be told to H2, for the time until something is forced to the disk. */
@@ -155,9 +154,7 @@ final class H2Compactor implements AutoCloseable {
   private static void moveToFront(MVStore store) {
     if (store.getFileStore() instanceof RandomAccessStore parts) {
       for (int i = 0;
-          i < MOST_MOVES
-              && parts.size() > LEAST_SIZE
-              && parts.getFillRate() < LEAST_FILE_FILL_RATE;
+          i < MOST_MOVES && parts.size() > LEAST_SIZE && parts.getFillRate() < LEAST_FILE_FILL_RATE;
           i++) {
         parts.compactMoveChunks(LEAST_FILE_FILL_RATE, MOST_PART_BYTES, store);
       }

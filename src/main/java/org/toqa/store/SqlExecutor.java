@@ -33,8 +33,8 @@ final class SqlExecutor {
 
   /**
    * All that the work does on this thread by this or another handle of the same database. It sees
-   * what others have committed meanwhile: where it waited for a row of an earlier try, it finds what
-   * that has stored.
+   * what others have committed meanwhile: where it waited for a row of an earlier try, it finds
+   * what that has stored.
    */
   void inOneTransaction(Runnable work) {
     try {

@@ -13,9 +13,9 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
-import java.util.stream.IntStream;
 import java.util.function.Predicate;
 import java.util.stream.Collectors;
+import java.util.stream.IntStream;
 import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.Test;
 import org.toqa.fleet.ChargeRecord;
@@ -233,8 +233,7 @@ class RobotStoreTest extends FleetDatabaseTest {
     store.saveDriveEnd("r1", 4, 1, segments(0, 1)); // as when it is not known that it was stored
     assertEquals(Optional.of(drive(5, segments(7, 9))), store.drive("r1"));
     StoreException refusal =
-        assertThrows(
-            StoreException.class, () -> store.saveDriveEnd("r1", 6, 0, segments(0, 1)));
+        assertThrows(StoreException.class, () -> store.saveDriveEnd("r1", 6, 0, segments(0, 1)));
     assertTrue(refusal.isRefusal(), refusal::toString);
   }
 

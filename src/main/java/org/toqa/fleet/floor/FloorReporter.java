@@ -127,8 +127,7 @@ final class FloorReporter {
         && mission.robots().stream()
             .map(state.missions::storedMissionOf)
             .flatMap(Optional::stream)
-            .anyMatch(
-                stored -> stored.id() == mission.id() && stored.state() != mission.state());
+            .anyMatch(stored -> stored.id() == mission.id() && stored.state() != mission.state());
   }
 
   private @Nullable Sentence waitReason(Mission mission) {

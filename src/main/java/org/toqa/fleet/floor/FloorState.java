@@ -67,7 +67,8 @@ public final class FloorState {
       Consumer<Sentence> onLeftOut) {
     this.floor = floor;
     this.store = store;
-    this.writer = new StoreWriter("floor-" + floor.name(), runtime, store::inOneTransaction, onLeftOut);
+    this.writer =
+        new StoreWriter("floor-" + floor.name(), runtime, store::inOneTransaction, onLeftOut);
     this.clock = clock;
     this.runtime = runtime;
     this.traffic = traffic;

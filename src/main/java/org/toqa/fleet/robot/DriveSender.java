@@ -29,9 +29,7 @@ final class DriveSender {
   private Optional<StoredDrive> drive = Optional.empty();
   private boolean isLoaded;
 
-  /**
-   * Asks the store for the last drive; {@link #setLoaded} brings it.
-   */
+  /** Asks the store for the last drive; {@link #setLoaded} brings it. */
   DriveSender(
       String robot,
       FleetStore store,
@@ -133,8 +131,7 @@ final class DriveSender {
    * @param changing the drive that the command is to change; null: it begins one
    * @param id of the command in the queue
    */
-  private void storeThenSend(
-      StoredDrive next, Runnable change, @Nullable Long changing, long id) {
+  private void storeThenSend(StoredDrive next, Runnable change, @Nullable Long changing, long id) {
     drive = Optional.of(next);
     writer.write(
         robot,

@@ -31,7 +31,8 @@ class TaskSubmitterTest {
 
   private final Database database = MemoryDatabase.open("intake-" + System.nanoTime());
   private final JdbiFleetStore store = new JdbiFleetStore(database.jdbi());
-  private final StoreWriter writer = new StoreWriter("test", FleetRuntime.USUAL, store::inOneTransaction, change -> {});
+  private final StoreWriter writer =
+      new StoreWriter("test", FleetRuntime.USUAL, store::inOneTransaction, change -> {});
   private final Queue<Integer> transactions = new ConcurrentLinkedQueue<>();
   private final Queue<TransportTask> accepted = new ConcurrentLinkedQueue<>();
   private final Queue<StoreException> refusals = new ConcurrentLinkedQueue<>();
