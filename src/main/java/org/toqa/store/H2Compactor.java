@@ -40,16 +40,16 @@ final class H2Compactor implements AutoCloseable {
   private static final long LOOKS = INTERVAL.dividedBy(LOOK_INTERVAL);
 
   /** Percent; a file that has grown so much since the last turn has the next one at once. */
-  private static final int MOST_GROWTH = 8;
+  private static final int MOST_GROWTH = 15;
 
   /** Without a change of somebody else, until there is nothing left to give back. */
   private static final int LAST_INTERVALS = 20;
 
   /** Percent of the parts of the file that is in use; below it those with little are emptied. */
-  private static final int LEAST_FILL_RATE = 80;
+  private static final int LEAST_FILL_RATE = 70;
 
   /** Of pages that are moved at a time. */
-  private static final int MOST_PAGE_BYTES = 512 * 1024;
+  private static final int MOST_PAGE_BYTES = 256 * 1024;
 
   /** A file that is smaller is left as it is. */
   private static final long LEAST_SIZE = 2 * 1024 * 1024;
@@ -101,10 +101,12 @@ final class H2Compactor implements AutoCloseable {
   }
 
   private boolean hasGrown() {
-    return store != null
-        && !store.isClosed()
-        && store.getFileStore().size() > LEAST_SIZE
-        && store.getFileStore().size() * 100 > lastSize * (100 + MOST_GROWTH);
+    MVStore file = store;
+    if (file == null || file.isClosed()) {
+      return false;
+    }
+    long size = file.getFileStore().size();
+    return size > LEAST_SIZE && size * 100 > lastSize * (100 + MOST_GROWTH);
   }
 
   private void compact() {
