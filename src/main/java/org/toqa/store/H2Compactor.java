@@ -20,12 +20,11 @@ import org.slf4j.LoggerFactory;
  * each commit is written at once: the file grew by 20 kB a commit.
  *
  * <p>Each second, and as soon as the file has grown by a part of itself, what was written is forced
- * to the disk. What a computer that loses its power finds
- * there stays as it is until the next time: the version that was forced counts as used, so that
- * parts of the file which it needs are not used again, and others are at once. Then pages are moved
- * out of parts that hold little, and, where a good deal of the file is free, parts from its end to
- * its front. Freed parts go only as something is written; so for a while after the last change a
- * number is written that nobody uses.
+ * to the disk. What a computer that loses its power finds there stays as it is until the next time:
+ * the version that was forced counts as used, so that parts of the file which it needs are not used
+ * again, and others are at once. Then pages are moved out of parts that hold little, and, where a
+ * good deal of the file is free, parts from its end to its front. Freed parts go only as something
+ * is written; so for a while after the last change a number is written that nobody uses.
  */
 final class H2Compactor implements AutoCloseable {
   /** To be told to H2, for the time until something is forced to the disk. */
@@ -41,16 +40,16 @@ final class H2Compactor implements AutoCloseable {
   private static final long LOOKS = INTERVAL.dividedBy(LOOK_INTERVAL);
 
   /** Percent; a file that has grown so much since the last turn has the next one at once. */
-  private static final int MOST_GROWTH = 8;
+  private static final int MOST_GROWTH = 15;
 
   /** Without a change of somebody else, until there is nothing left to give back. */
   private static final int LAST_INTERVALS = 20;
 
   /** Percent of the parts of the file that is in use; below it those with little are emptied. */
-  private static final int LEAST_FILL_RATE = 80;
+  private static final int LEAST_FILL_RATE = 70;
 
   /** Of pages that are moved at a time. */
-  private static final int MOST_PAGE_BYTES = 512 * 1024;
+  private static final int MOST_PAGE_BYTES = 256 * 1024;
 
   /** A file that is smaller is left as it is. */
   private static final long LEAST_SIZE = 2 * 1024 * 1024;
@@ -102,10 +101,12 @@ final class H2Compactor implements AutoCloseable {
   }
 
   private boolean hasGrown() {
-    return store != null
-        && !store.isClosed()
-        && store.getFileStore().size() > LEAST_SIZE
-        && store.getFileStore().size() * 100 > lastSize * (100 + MOST_GROWTH);
+    MVStore file = store;
+    if (file == null || file.isClosed()) {
+      return false;
+    }
+    long size = file.getFileStore().size();
+    return size > LEAST_SIZE && size * 100 > lastSize * (100 + MOST_GROWTH);
   }
 
   private void compact() {
@@ -155,9 +156,7 @@ final class H2Compactor implements AutoCloseable {
   private static void moveToFront(MVStore store) {
     if (store.getFileStore() instanceof RandomAccessStore parts) {
       for (int i = 0;
-          i < MOST_MOVES
-              && parts.size() > LEAST_SIZE
-              && parts.getFillRate() < LEAST_FILE_FILL_RATE;
+          i < MOST_MOVES && parts.size() > LEAST_SIZE && parts.getFillRate() < LEAST_FILE_FILL_RATE;
           i++) {
         parts.compactMoveChunks(LEAST_FILE_FILL_RATE, MOST_PART_BYTES, store);
       }

@@ -115,7 +115,9 @@ final class FreeSpace {
       double apart = radius + Clearance.needed(standing, area) - ROUNDING;
       area.middlesWithin(grid, apart).addTo(more);
     }
-    more.clear(grid.index(here));
+    if (grid.contains(here)) { // a robot may say that it is beside the map
+      more.clear(grid.index(here));
+    }
     return grid.withOccupied(more);
   }
 

@@ -18,8 +18,7 @@ import org.toqa.web.WebTestServer;
 class AccountsInBrowserTest extends PagesInBrowser {
   private static final Pattern LINK = Pattern.compile("https://toqa\\.example\\.org/(reset\\S+)");
 
-  private static final Page.GetByLabelOptions EXACTLY =
-      new Page.GetByLabelOptions().setExact(true);
+  private static final Page.GetByLabelOptions EXACTLY = new Page.GetByLabelOptions().setExact(true);
 
   @Test
   void theFirstManagerIsMadeAtTheFirstStartAndAddsAClerk() throws Exception {

@@ -85,9 +85,7 @@ class FirstStartTest {
     String typed = code().toLowerCase(Locale.ROOT).replace("-", " ");
     assertEquals(
         303,
-        visitor
-            .post("first-start", form(typed, "Max", "a sentence to remember"))
-            .statusCode());
+        visitor.post("first-start", form(typed, "Max", "a sentence to remember")).statusCode());
   }
 
   @Test
@@ -114,8 +112,7 @@ class FirstStartTest {
   }
 
   private String refusal(String name, String password) {
-    HttpResponse<String> answer =
-        visitor.post("first-start", form(code(), name, password));
+    HttpResponse<String> answer = visitor.post("first-start", form(code(), name, password));
     assertEquals(422, answer.statusCode());
     return answer.body();
   }
