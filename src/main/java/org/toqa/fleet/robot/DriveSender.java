@@ -43,10 +43,10 @@ final class DriveSender {
     this.commands = commands;
     this.floor = floor;
     this.self = self;
-    AtomicReference<Optional<StoredDrive>> last = new AtomicReference<>(Optional.empty());
+    AtomicReference<@Nullable StoredDrive> last = new AtomicReference<>();
     writer.write(
-        () -> last.set(store.drive(robot)),
-        () -> self.tell(new RobotMessage.DriveLoaded(last.get())));
+        () -> last.set(store.drive(robot).orElse(null)),
+        () -> self.tell(new RobotMessage.DriveLoaded(Optional.ofNullable(last.get()))));
   }
 
   void setLoaded(Optional<StoredDrive> stored) {
