@@ -97,6 +97,28 @@ class FloorTrafficTest {
   }
 
   @Test
+  void aRobotThatTakesItselfToBeBesideTheMapKeepsNobodyFromDriving() {
+    FloorTraffic traffic =
+        new FloorTraffic(
+            DrivenFloor.draw(".....", "....."),
+            new LacamJointPlanner(),
+            () -> Deadline.in(Duration.ofSeconds(1), System::nanoTime));
+    Instant now = Instant.EPOCH;
+    traffic.reportStanding("astray", new Pose(-3, 0.2, 0), 0.255, now);
+    traffic.reportStanding("b", new Pose(0.2, 0.2, 0), 0.255, now);
+    traffic.setMovable("astray", true);
+    traffic.setMovable("b", true);
+    traffic.setGoal("astray", new Vec2(1, 0.6), now);
+    traffic.setGoal("b", new Vec2(1.8, 0.2), now);
+    List<DriveCommand> decided = new ArrayList<>();
+    for (int tick = 1; tick < 10; tick++) {
+      decided.addAll(traffic.decide(now.plusMillis(100 * tick)));
+    }
+    assertTrue(
+        decided.stream().anyMatch(command -> command.robot().equals("b")), decided::toString);
+  }
+
+  @Test
   void aRobotThatWasStoppedAMillimetreInAWallDrivesAway() {
     FloorTraffic traffic =
         new FloorTraffic(
