@@ -164,7 +164,7 @@ export TMPDIR
 mkdir -p target
 say "building, while what is missing is fetched"
 # A session of its own, so that all of it can be ended.
-setsid ./mvnw -q -B -ntp -Pfull -DskipTests -DskipITs verify >"$folder/build.log" 2>&1 &
+setsid ./mvnw -B -ntp -Pfull -DskipTests -DskipITs verify >"$folder/build.log" 2>&1 &
 maven=$!
 
 command -v chromium-browser >/dev/null || command -v google-chrome >/dev/null ||

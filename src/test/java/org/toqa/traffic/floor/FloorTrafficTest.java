@@ -112,7 +112,7 @@ class FloorTrafficTest {
     traffic.setGoal("b", new Vec2(1.8, 0.2), now);
     List<DriveCommand> decided = new ArrayList<>();
     for (int tick = 1; tick < 10; tick++) {
-      decided.addAll(traffic.decide(now.plusMillis(100 * tick)));
+      decided.addAll(traffic.decide(now.plusMillis(100L * tick)));
     }
     assertTrue(
         decided.stream().anyMatch(command -> command.robot().equals("b")), decided::toString);
