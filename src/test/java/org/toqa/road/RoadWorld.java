@@ -158,6 +158,7 @@ final class RoadWorld {
         usual.simulatedBatteries(),
         usual.firmware(),
         usual.widestRobot(),
+        usual.margins(),
         usual.reassignAfter(),
         usual.charging(),
         SPEED,

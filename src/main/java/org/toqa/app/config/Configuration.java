@@ -9,6 +9,7 @@ import java.util.Set;
 import org.jspecify.annotations.Nullable;
 import org.toqa.allocation.Policy;
 import org.toqa.fleet.ChargingRules;
+import org.toqa.grid.Margins;
 
 /**
  * How this server is to run, every value checked. {@code docs/configuration.md} explains each.
@@ -30,6 +31,7 @@ import org.toqa.fleet.ChargingRules;
  * @param firmware the folder of the built firmware that drives the first simulated robot, in a
  *     simulated microcontroller; null: every body is simulated as a whole
  * @param widestRobot the largest diameter that is believed of a robot, metres
+ * @param margins what is kept from walls
  * @param reassignAfter how long a robot is silent until its task goes to another
  * @param charging when robots charge
  * @param simulationSpeed how many times faster than real time simulated time passes
@@ -57,6 +59,7 @@ public record Configuration(
     List<Double> simulatedBatteries,
     @Nullable Path firmware,
     double widestRobot,
+    Margins margins,
     Duration reassignAfter,
     ChargingRules charging,
     double simulationSpeed,

@@ -31,6 +31,7 @@ import org.toqa.app.config.ValueRange.Decimal;
 import org.toqa.app.config.ValueRange.WholeNumber;
 import org.toqa.app.config.ValueRange.WholeNumbers;
 import org.toqa.fleet.ChargingRules;
+import org.toqa.grid.Margins;
 import org.toqa.store.Database;
 
 /**
@@ -71,6 +72,7 @@ record ConfigurationReader(List<SettingSource> layers) {
         batteries(),
         firmware(simulate),
         number(Setting.WIDEST_ROBOT),
+        new Margins(number(Setting.MARGINS_ROBOT), number(Setting.MARGINS_FORMATION)),
         lostAfter,
         charging(),
         speed,

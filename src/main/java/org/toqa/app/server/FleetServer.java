@@ -130,7 +130,7 @@ public final class FleetServer implements AutoCloseable {
   private static FleetServer start(
       Configuration configuration, PasswordHasher passwords, Deque<AutoCloseable> parts)
       throws IOException {
-    FloorMap floor = FloorReader.read(configuration.map());
+    FloorMap floor = FloorReader.read(configuration.map()).withMargins(configuration.margins());
     PrivateFolder.create(configuration.data());
     Database database = openDatabase(configuration.database());
     parts.push(database);

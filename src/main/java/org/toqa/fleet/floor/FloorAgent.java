@@ -95,6 +95,7 @@ public final class FloorAgent extends AbstractBehavior<FloorMessage> {
     FloorTraffic traffic =
         new FloorTraffic(
             floor.grid(),
+            floor.margins(),
             new TimedPlanner(new LacamJointPlanner(), runtime),
             apart -> new TimedLifelongPlanner(FloorTraffic.rollingPlanner(apart), runtime),
             () -> Deadline.in(PLANNING_LIMIT, runtime::nanoTime),

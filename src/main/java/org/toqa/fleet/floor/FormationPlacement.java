@@ -12,6 +12,7 @@ import org.toqa.formation.LoadHolds;
 import org.toqa.formation.Shape;
 import org.toqa.geometry.Pose;
 import org.toqa.geometry.Vec2;
+import org.toqa.grid.Margins;
 import org.toqa.grid.OccupancyGrid;
 import org.toqa.mission.TransportTask.LoadSize;
 import org.toqa.motion.Trajectory;
@@ -34,9 +35,11 @@ final class FormationPlacement {
   private static final double ALIKE = 0.05;
 
   private final OccupancyGrid grid;
+  private final Margins margins;
 
-  FormationPlacement(OccupancyGrid grid) {
+  FormationPlacement(OccupancyGrid grid, Margins margins) {
     this.grid = grid;
+    this.margins = margins;
   }
 
   /**
@@ -54,7 +57,7 @@ final class FormationPlacement {
       double radius,
       FollowerLawType law) {
     LoadSize size = requestedSize == null ? LoadSize.DEFAULT : requestedSize;
-    FormationPaths paths = new FormationPaths(grid, goal);
+    FormationPaths paths = new FormationPaths(grid, margins, goal);
     return around(object, robots, size, radius, law).stream()
         .filter(formation -> paths.hasPath(formation.group(), formation.pose(0)))
         .findFirst();

@@ -41,7 +41,7 @@ final class Formations {
 
   Formations(FloorState state) {
     this.state = state;
-    this.places = new FormationPlacement(state.floor.grid());
+    this.places = new FormationPlacement(state.floor.grid(), state.floor.margins());
   }
 
   /** Empty for a mission of one robot, and where there is no room round the load. */

@@ -7,6 +7,7 @@ import java.util.Optional;
 import org.toqa.formation.FollowerLawType;
 import org.toqa.geometry.Vec2;
 import org.toqa.grid.Bottleneck;
+import org.toqa.grid.Margins;
 import org.toqa.grid.OccupancyGrid;
 import org.toqa.mission.Mission;
 import org.toqa.mission.TransportTask.LoadSize;
@@ -17,11 +18,13 @@ import org.toqa.wording.Sentence;
 /** Whether a floor has room for robots that carry a load together, along the whole path. */
 public final class TeamRoomCheck {
   private final OccupancyGrid grid;
+  private final Margins margins;
   private final FormationPlacement places;
 
-  public TeamRoomCheck(OccupancyGrid grid) {
+  public TeamRoomCheck(OccupancyGrid grid, Margins margins) {
     this.grid = grid;
-    this.places = new FormationPlacement(grid);
+    this.margins = margins;
+    this.places = new FormationPlacement(grid, margins);
   }
 
   /**
@@ -38,7 +41,7 @@ public final class TeamRoomCheck {
     LoadSize size = Objects.requireNonNullElse(mission.task().size(), LoadSize.DEFAULT);
     List<Formation> around =
         places.around(object, robots, size, diameter / 2, FollowerLawType.OMNI);
-    FormationPaths paths = new FormationPaths(grid, goal);
+    FormationPaths paths = new FormationPaths(grid, margins, goal);
     if (around.stream().anyMatch(f -> paths.hasPath(f.group(), f.pose(0)))) {
       return Optional.empty();
     }
@@ -57,7 +60,7 @@ public final class TeamRoomCheck {
     }
     double width =
         around.stream()
-            .map(f -> FormationPaths.passageWidth(f.group()))
+            .map(f -> paths.passageWidth(f.group()))
             .min(Comparator.naturalOrder())
             .orElseThrow();
     return Bottleneck.between(grid, object, goal, width)

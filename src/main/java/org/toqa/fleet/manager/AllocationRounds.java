@@ -230,7 +230,7 @@ final class AllocationRounds {
       FloorMap floor, Mission mission, List<Candidate> team) {
     PathQuery.TeamQuestion question = PathQuery.TeamQuestion.of(mission, team);
     return paths
-        .objectionToTeam(floor.grid(), mission, question)
+        .objectionToTeam(floor, mission, question)
         .thenApply(objection -> new TeamFinding(question, objection));
   }
 

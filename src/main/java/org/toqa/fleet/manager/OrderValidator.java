@@ -190,7 +190,7 @@ final class OrderValidator {
             team ->
                 paths
                     .objectionToTeam(
-                        floor(task.floor()).orElseThrow().grid(),
+                        floor(task.floor()).orElseThrow(),
                         mission,
                         PathQuery.TeamQuestion.of(mission, team),
                         check)

@@ -18,7 +18,9 @@ import org.toqa.fleet.floor.TeamRoomCheck;
 import org.toqa.geometry.Pose;
 import org.toqa.geometry.Vec2;
 import org.toqa.geometry.Waypoint;
+import org.toqa.grid.FloorMap;
 import org.toqa.grid.Inflation;
+import org.toqa.grid.Margins;
 import org.toqa.grid.OccupancyGrid;
 import org.toqa.mission.Mission;
 import org.toqa.mission.TaskPlace;
@@ -74,7 +76,11 @@ final class PathQuery {
    */
   private record PathKey(FloorKey floor, Vec2 start, Vec2 goal) {}
 
-  private record TeamKey(OccupancyGrid grid, TeamQuestion question) {}
+  private record TeamKey(OccupancyGrid grid, Margins margins, TeamQuestion question) {
+    TeamKey(FloorMap floor, TeamQuestion question) {
+      this(floor.grid(), floor.margins(), question);
+    }
+  }
 
   /**
    * All on which it depends whether so many robots have room for a task.
@@ -131,22 +137,22 @@ final class PathQuery {
    * @param question about this mission
    */
   CompletableFuture<Optional<Sentence>> objectionToTeam(
-      OccupancyGrid grid, Mission mission, TeamQuestion question) {
+      FloorMap floor, Mission mission, TeamQuestion question) {
     return question.robots() < 2
         ? CompletableFuture.completedFuture(Optional.empty())
-        : teams.get(new TeamKey(grid, question), _ -> objection(grid, mission, question));
+        : teams.get(new TeamKey(floor, question), _ -> objection(floor, mission, question));
   }
 
   /** The same for an order or preview. */
   CompletableFuture<Optional<Sentence>> objectionToTeam(
-      OccupancyGrid grid, Mission mission, TeamQuestion question, OrderChecks.Check check) {
+      FloorMap floor, Mission mission, TeamQuestion question, OrderChecks.Check check) {
     if (question.robots() < 2) {
       return CompletableFuture.completedFuture(Optional.empty());
     }
-    TeamKey key = new TeamKey(grid, question);
+    TeamKey key = new TeamKey(floor, question);
     Optional<Sentence> known = teams.synchronous().getIfPresent(key);
     return known == null
-        ? check.run(() -> remember(key, objection(grid, mission, question)))
+        ? check.run(() -> remember(key, objection(floor, mission, question)))
         : CompletableFuture.completedFuture(known);
   }
 
@@ -156,8 +162,8 @@ final class PathQuery {
   }
 
   private static Optional<Sentence> objection(
-      OccupancyGrid grid, Mission mission, TeamQuestion question) {
-    return new TeamRoomCheck(grid).objection(mission, question.robots(), question.diameter());
+      FloorMap floor, Mission mission, TeamQuestion question) {
+    return new TeamRoomCheck(floor.grid(), floor.margins()).objection(mission, question.robots(), question.diameter());
   }
 
   /** Passed when the check that is worked for on this thread is out of time. */

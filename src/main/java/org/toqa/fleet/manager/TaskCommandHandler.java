@@ -237,7 +237,7 @@ final class TaskCommandHandler {
             List.of(),
             fleet.candidates(floor.name()));
     var _ =
-        new TaskPreviewer(decider, paths, floor.grid(), request.check())
+        new TaskPreviewer(decider, paths, floor, request.check())
             .preview(task, problem, fleet.now)
             .whenComplete(
                 (preview, failure) ->

@@ -11,7 +11,7 @@ import org.toqa.fleet.RobotCapabilities;
 import org.toqa.fleet.TaskPreview;
 import org.toqa.fleet.floor.PlaceCheck;
 import org.toqa.geometry.Vec2;
-import org.toqa.grid.OccupancyGrid;
+import org.toqa.grid.FloorMap;
 import org.toqa.mission.Mission;
 import org.toqa.mission.TransportTask;
 
@@ -22,18 +22,18 @@ import org.toqa.mission.TransportTask;
 final class TaskPreviewer {
   private final RoundDecider decider;
   private final PathQuery paths;
-  private final OccupancyGrid grid;
+  private final FloorMap floor;
   private final OrderChecks.Check check;
 
   /**
-   * @param grid of the task's floor
+   * @param floor the task's
    * @param check of the preview
    */
   TaskPreviewer(
-      RoundDecider decider, PathQuery paths, OccupancyGrid grid, OrderChecks.Check check) {
+      RoundDecider decider, PathQuery paths, FloorMap floor, OrderChecks.Check check) {
     this.decider = decider;
     this.paths = paths;
-    this.grid = grid;
+    this.floor = floor;
     this.check = check;
   }
 
@@ -64,7 +64,7 @@ final class TaskPreviewer {
     return path(task)
         .thenCombine(
             paths.objectionToTeam(
-                grid, Mission.queued(task), question(task, chosen, robots, problem), check),
+                floor, Mission.queued(task), question(task, chosen, robots, problem), check),
             (path, noRoom) ->
                 noRoom
                     .map(objection -> new TaskPreview(robots, List.of(), objection, path))
@@ -99,7 +99,7 @@ final class TaskPreviewer {
   private CompletableFuture<List<Vec2>> path(TransportTask task) {
     return paths
         .findPath(
-            grid,
+            floor.grid(),
             task.start().position(),
             task.goal().position(),
             2 * PlaceCheck.SMALLEST_RADIUS,

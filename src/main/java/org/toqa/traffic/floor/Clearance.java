@@ -1,6 +1,5 @@
 package org.toqa.traffic.floor;
 
-import java.util.List;
 import org.toqa.motion.Trajectory;
 
 /**
@@ -10,12 +9,6 @@ import org.toqa.motion.Trajectory;
 final class Clearance {
   /** Between the edges of two robots, metres: twice what one may be beside its path. */
   static final double BETWEEN_ROBOTS = 2 * Trajectory.MAX_DEVIATION;
-
-  /** From walls, metres, where there is room: what a robot may be beside its path. */
-  static final double FROM_WALLS = Trajectory.MAX_DEVIATION;
-
-  /** What is kept from walls, metres, the best first. */
-  static final List<Double> WALL_STEPS = List.of(FROM_WALLS, 0.02);
 
   private static final double ROUNDING = 1e-6;
 

@@ -15,6 +15,7 @@ import java.util.TreeMap;
 import java.util.function.DoubleFunction;
 import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
+import org.toqa.grid.Margins;
 import org.toqa.grid.OccupancyGrid;
 import org.toqa.traffic.Deadline;
 import org.toqa.traffic.JointPlanner;
@@ -43,11 +44,12 @@ final class FloorPlanner {
    */
   FloorPlanner(
       OccupancyGrid grid,
+      Margins margins,
       JointPlanner jointPlanner,
       DoubleFunction<LifelongPlanner> nextSteps,
       Supplier<Deadline> planningDeadline) {
     SectionFitter fitter = new SectionFitter();
-    this.freeSpace = new FreeSpace(grid);
+    this.freeSpace = new FreeSpace(grid, margins);
     this.singleRobotPlanner = new SingleRobotPlanner(freeSpace, fitter);
     this.rightOfWay = new RightOfWay(singleRobotPlanner);
     this.lanePlanner =

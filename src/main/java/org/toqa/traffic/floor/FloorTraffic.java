@@ -15,6 +15,7 @@ import java.util.stream.Collectors;
 import org.jspecify.annotations.Nullable;
 import org.toqa.geometry.Pose;
 import org.toqa.geometry.Vec2;
+import org.toqa.grid.Margins;
 import org.toqa.grid.OccupancyGrid;
 import org.toqa.motion.DriveSpeeds;
 import org.toqa.motion.Trajectory;
@@ -74,7 +75,17 @@ public final class FloorTraffic {
    */
   public FloorTraffic(
       OccupancyGrid grid, JointPlanner jointPlanner, Supplier<Deadline> planningDeadline) {
-    this(grid, jointPlanner, FloorTraffic::rollingPlanner, planningDeadline, Runnable::run);
+    this(grid, Margins.USUAL, jointPlanner, planningDeadline);
+  }
+
+  /** The same with other margins. */
+  public FloorTraffic(
+      OccupancyGrid grid,
+      Margins margins,
+      JointPlanner jointPlanner,
+      Supplier<Deadline> planningDeadline) {
+    this(
+        grid, margins, jointPlanner, FloorTraffic::rollingPlanner, planningDeadline, Runnable::run);
   }
 
   /** A planner of the next steps of robots that keep apart so many cells. */
@@ -89,6 +100,7 @@ public final class FloorTraffic {
    */
   public FloorTraffic(
       OccupancyGrid grid,
+      Margins margins,
       JointPlanner jointPlanner,
       DoubleFunction<LifelongPlanner> nextSteps,
       Supplier<Deadline> planningDeadline,
@@ -101,7 +113,7 @@ public final class FloorTraffic {
             robots,
             claims,
             trigger,
-            new FloorPlanner(grid, jointPlanner, nextSteps, planningDeadline),
+            new FloorPlanner(grid, margins, jointPlanner, nextSteps, planningDeadline),
             planning);
   }
 

@@ -14,11 +14,8 @@ import org.toqa.motion.Trajectory;
  * where it should be: what it touches already it comes no nearer to until it is on the lattice.
  */
 final class FormationClearance {
-  /** Kept from walls while a path is looked for, metres. */
-  static final double MARGIN = 0.02;
-
-  /** The same round the start, where it may need all the room that there is. */
-  static final double LEAST_MARGIN = 0.005;
+  /** Of the margin, metres, that may be missing between two places where it is looked at. */
+  private static final double MOST_BULGE = 0.02;
 
   /** Metres from the start. */
   private static final double AROUND_START = 1.5;
@@ -51,12 +48,14 @@ final class FormationClearance {
   private final SweptArea standing;
 
   private final Pose start;
+  private final double margin;
   private final double marginAtStart;
 
   /**
    * @param start of the leader, map frame
    * @param blocked walls and obstacles
    * @param claimedByOthers what others have or will need
+   * @param margin kept from walls while a path is looked for, metres
    * @param marginAtStart kept from walls round the start, metres
    */
   FormationClearance(
@@ -65,8 +64,10 @@ final class FormationClearance {
       Pose start,
       BitSet blocked,
       List<SweptArea> claimedByOthers,
+      double margin,
       double marginAtStart) {
     this.grid = grid;
+    this.margin = margin;
     this.formation = formation;
     this.start = start;
     this.marginAtStart = marginAtStart;
@@ -112,8 +113,8 @@ final class FormationClearance {
     double east = beside.x() + leader.x() - start.x();
     double north = beside.y() + leader.y() - start.y();
     boolean isAroundStart = east * east + north * north < AROUND_START * AROUND_START;
-    double margin = isAroundStart ? marginAtStart : MARGIN;
-    return formation.isClearOf(grid, beside, placement, margin, solid)
+    double kept = isAroundStart ? marginAtStart : margin;
+    return formation.isClearOf(grid, beside, placement, kept, solid)
         && (formation.isClearOf(grid, beside, placement, 0, nearClaimed)
             || isOffClaimed(
                 SweptArea.at(
@@ -136,7 +137,7 @@ final class FormationClearance {
    * radius r bulges by d * d / (8 r) beyond two of them that are d apart.
    */
   double spacing() {
-    return Math.sqrt(8 * formation.smallestRadius() * marginAtStart);
+    return Math.sqrt(8 * formation.smallestRadius() * Math.min(MOST_BULGE, marginAtStart));
   }
 
   /** Whether it can be led along that from where it is, and comes no nearer than it is. */

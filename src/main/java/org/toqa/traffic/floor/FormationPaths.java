@@ -10,6 +10,7 @@ import org.jspecify.annotations.Nullable;
 import org.toqa.formation.Shape;
 import org.toqa.geometry.Pose;
 import org.toqa.geometry.Vec2;
+import org.toqa.grid.Margins;
 import org.toqa.grid.OccupancyGrid;
 import org.toqa.motion.DriveSpeeds;
 
@@ -23,6 +24,7 @@ public final class FormationPaths {
   private static final double SAME = 1e-6;
 
   private final OccupancyGrid grid;
+  private final Margins margins;
   private final BitSet walls;
   private final Vec2 goal;
 
@@ -35,8 +37,9 @@ public final class FormationPaths {
   /**
    * @param goal where the load is carried, metres, map frame
    */
-  public FormationPaths(OccupancyGrid grid, Vec2 goal) {
+  public FormationPaths(OccupancyGrid grid, Margins margins, Vec2 goal) {
     this.grid = grid;
+    this.margins = margins;
     this.walls = grid.occupied();
     this.goal = goal;
   }
@@ -48,12 +51,14 @@ public final class FormationPaths {
     Pose start = FormationPlanner.start(grid, leader);
     double metres = formation.shape().loadAt(start).position().distanceTo(goal);
     return metres < FormationLattice.goalTolerance(grid)
-        || FormationPlanner.MARGINS.stream().anyMatch(margin -> hasPath(formation, start, margin));
+        || FormationPlanner.atStart(margins).stream()
+            .anyMatch(margin -> hasPath(formation, start, margin));
   }
 
   private boolean hasPath(FormationFootprint formation, Pose start, double margin) {
     FormationClearance clearance =
-        new FormationClearance(grid, formation, start, walls, List.of(), margin);
+        new FormationClearance(
+            grid, formation, start, walls, List.of(), margins.formation(), margin);
     BitSet deadStates = dead.computeIfAbsent(key(formation, margin), _ -> new BitSet());
     boolean isFound =
         FormationPlanner.trajectory(
@@ -96,15 +101,15 @@ public final class FormationPaths {
             Pose leader = lattice.pose(lattice.state(column, row, heading));
             hasRoom[0] =
                 formation.shape().loadAt(leader).position().distanceTo(goal) < tolerance
-                    && formation.isClearOf(grid, leader, FormationClearance.MARGIN, walls);
+                    && formation.isClearOf(grid, leader, margins.formation(), walls);
           }
         });
     return hasRoom[0];
   }
 
   /** Metres that a passage must be wide so that the formation comes through. */
-  public static double passageWidth(FormationFootprint formation) {
-    return formation.width() + 2 * FormationClearance.MARGIN;
+  public double passageWidth(FormationFootprint formation) {
+    return formation.width() + 2 * margins.formation();
   }
 
   private static List<Number> key(FormationFootprint formation, double margin) {

@@ -15,6 +15,7 @@ import org.toqa.formation.TrajectoryRules;
 import org.toqa.geometry.Angles;
 import org.toqa.geometry.Pose;
 import org.toqa.geometry.Vec2;
+import org.toqa.grid.Margins;
 import org.toqa.grid.OccupancyGrid;
 import org.toqa.motion.DriveSpeeds;
 import org.toqa.motion.Segment;
@@ -34,10 +35,6 @@ final class FormationPlanner {
   /** Sections end at least so far apart, metres. */
   private static final double PASSING_PLACE_SPACING = 0.3;
 
-  /** Kept from walls round the start, metres, in the order in which they are tried. */
-  static final List<Double> MARGINS =
-      List.of(FormationClearance.MARGIN, FormationClearance.LEAST_MARGIN);
-
   /** What was searched in vain among others is not searched sooner again. */
   private static final Duration SHORTEST_PAUSE = Duration.ofSeconds(2);
 
@@ -48,6 +45,7 @@ final class FormationPlanner {
   private static final int REMEMBERED = 3;
 
   private final OccupancyGrid grid;
+  private final Margins margins;
   private final SectionFitter fitter;
 
   /** By robot: what was found since nothing changed but the others. */
@@ -106,9 +104,15 @@ final class FormationPlanner {
    */
   private record Course(Trajectory trajectory, double margin) {}
 
-  FormationPlanner(OccupancyGrid grid, SectionFitter fitter) {
+  FormationPlanner(OccupancyGrid grid, Margins margins, SectionFitter fitter) {
     this.grid = grid;
+    this.margins = margins;
     this.fitter = fitter;
+  }
+
+  /** Kept from walls round the start, metres, in the order in which they are tried. */
+  static List<Double> atStart(Margins margins) {
+    return List.of(margins.formation(), Margins.LEAST);
   }
 
   /**
@@ -186,7 +190,7 @@ final class FormationPlanner {
   }
 
   private Optional<Course> alone(Question question) {
-    return MARGINS.stream()
+    return atStart(margins).stream()
         .flatMap(
             margin ->
                 trajectory(question, List.of(), margin).map(t -> new Course(t, margin)).stream())
@@ -233,7 +237,14 @@ final class FormationPlanner {
         question.start,
         question.goal,
         question.speeds,
-        new FormationClearance(grid, formation, question.start, question.solid, claimed, margin),
+        new FormationClearance(
+            grid,
+            formation,
+            question.start,
+            question.solid,
+            claimed,
+            margins.formation(),
+            margin),
         new BitSet());
   }
 

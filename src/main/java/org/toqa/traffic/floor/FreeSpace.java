@@ -11,12 +11,16 @@ import org.toqa.grid.BySize;
 import org.toqa.grid.Cell;
 import org.toqa.grid.Disc;
 import org.toqa.grid.Inflation;
+import org.toqa.grid.Margins;
 import org.toqa.grid.OccupancyGrid;
 import org.toqa.motion.Segment;
 import org.toqa.traffic.RoadGraph;
 
 /** What blocks cells of the floor, walls and obstacles, and where robots of a size fit. */
 final class FreeSpace {
+  /** Metres that a robot still keeps from walls where there is no room for its margin. */
+  private static final double NARROW = 0.02;
+
   private final OccupancyGrid grid;
   private final BitSet walls;
   private static final double ROUNDING = 1e-6;
@@ -27,18 +31,20 @@ final class FreeSpace {
   private final BySize<OccupancyGrid> freeOfWalls;
   private final BySize<OccupancyGrid> freeCells = new BySize<>();
   private final BySize<List<Cell>> discOffsets = new BySize<>();
+  private final Margins margins;
   private final BySize<LaneGrid> laneGrid = new BySize<>();
   private final BySize<RoadGraph> laneRoads = new BySize<>();
 
   /** The floor as it is for some robots, by the cells of obstacles that count for these. */
   private final Map<BitSet, FreeSpace> others = new HashMap<>();
 
-  FreeSpace(OccupancyGrid grid) {
-    this(grid, new BySize<>());
+  FreeSpace(OccupancyGrid grid, Margins margins) {
+    this(grid, margins, new BySize<>());
   }
 
-  private FreeSpace(OccupancyGrid grid, BySize<OccupancyGrid> freeOfWalls) {
+  private FreeSpace(OccupancyGrid grid, Margins margins, BySize<OccupancyGrid> freeOfWalls) {
     this.grid = grid;
+    this.margins = margins;
     this.freeOfWalls = freeOfWalls;
     this.walls = grid.occupied();
     this.blocked = walls;
@@ -46,6 +52,16 @@ final class FreeSpace {
 
   OccupancyGrid grid() {
     return grid;
+  }
+
+  Margins margins() {
+    return margins;
+  }
+
+  /** What a robot alone keeps from walls, metres, the best first. */
+  List<Double> wallSteps() {
+    double kept = margins.robot();
+    return kept > NARROW ? List.of(kept, NARROW) : List.of(kept);
   }
 
   void setObstacles(Obstacles now) {
@@ -68,7 +84,7 @@ final class FreeSpace {
   }
 
   private FreeSpace withObstacles(BitSet cells) {
-    FreeSpace space = new FreeSpace(grid, freeOfWalls);
+    FreeSpace space = new FreeSpace(grid, margins, freeOfWalls);
     space.setObstacles(new Obstacles(cells, Map.of()));
     return space;
   }
@@ -178,12 +194,12 @@ final class FreeSpace {
 
   /** Where robots pass through the floor's cells. */
   LanePoints points(double radius) {
-    return LanePoints.of(grid, blocked, radius);
+    return LanePoints.of(grid, blocked, radius, margins.robot());
   }
 
   /** The floor in cells that are large enough for robots of that size. */
   LaneGrid laneGrid(double diameter) {
-    return laneGrid.get(diameter, d -> LaneGrid.of(grid, d));
+    return laneGrid.get(diameter, d -> LaneGrid.of(grid, d, margins.robot()));
   }
 
   /**

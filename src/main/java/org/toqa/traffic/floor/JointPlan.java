@@ -152,7 +152,7 @@ final class JointPlan {
             .map(corner -> fitter.fit(robot, start, waypoints, corner, passingPlaces))
             .filter(fit -> fit.stream().allMatch(s -> occupied.isFree(standing, s)))
             .toList();
-    for (double room : Clearance.WALL_STEPS) {
+    for (double room : freeSpace.wallSteps()) {
       for (List<Section> fit : fits) {
         if (freeSpace.hasRoom(robot, fit, room)) {
           return fit;

@@ -43,6 +43,7 @@ final class LaneGrid {
   private final OccupancyGrid floor;
 
   /** Of the largest robot for which they are, metres. */
+  private final double margin;
   private final double diameter;
 
   /** The side of a lane cell, in cells of the floor. */
@@ -60,10 +61,13 @@ final class LaneGrid {
   private final List<Cell> toSouth;
 
   /**
-   * @param kept from walls, metres
+   * @param kept from walls by whole lane cells, metres
+   * @param margin kept from walls where robots pass through them, metres
    */
-  private LaneGrid(OccupancyGrid floor, int side, double diameter, double kept, Cell corner) {
+  private LaneGrid(
+      OccupancyGrid floor, int side, double diameter, double kept, double margin, Cell corner) {
     this.floor = floor;
+    this.margin = margin;
     this.diameter = diameter;
     this.side = side;
     this.corner = corner;
@@ -96,10 +100,11 @@ final class LaneGrid {
 
   /**
    * @param diameter metres, of the largest robot that shall use them
+   * @param margin kept from walls where there is room, metres
    */
-  static LaneGrid of(OccupancyGrid floor, double diameter) {
+  static LaneGrid of(OccupancyGrid floor, double diameter, double margin) {
     if (side(floor, diameter) == 1) {
-      return new LaneGrid(floor, 1, diameter, 0, new Cell(0, 0));
+      return new LaneGrid(floor, 1, diameter, 0, margin, new Cell(0, 0));
     }
     // in an aisle hardly wider than the robot, its middle fits between the middles of two cells
     OccupancyGrid clear = Inflation.inflate(floor, (diameter - floor.resolution()) / 2);
@@ -109,7 +114,7 @@ final class LaneGrid {
                 () ->
                     new IllegalArgumentException(
                         "The floor is smaller than a robot of that size."));
-    return best(floor, diameter, Clearance.FROM_WALLS, clear)
+    return best(floor, diameter, margin, clear)
         .filter(roomy -> roomy.coverage(clear) >= AS_MUCH * narrow.coverage(clear))
         .orElse(narrow);
   }
@@ -127,7 +132,7 @@ final class LaneGrid {
       int step = Math.max(1, side / perSide);
       for (int row = 0; row < side && row + side <= floor.height(); row += step) {
         for (int column = 0; column < side && column + side <= floor.width(); column += step) {
-          LaneGrid lanes = new LaneGrid(floor, side, diameter, kept, new Cell(column, row));
+          LaneGrid lanes = new LaneGrid(floor, side, diameter, kept, kept, new Cell(column, row));
           int reached = lanes.coverage(clear);
           if (reached > most + (best == null || best.side == side ? 0 : most / 50)) {
             best = lanes;
@@ -286,7 +291,9 @@ final class LaneGrid {
 
   /** Where robots pass through the lane cells. */
   LanePoints points(BitSet blocked) {
-    return side == 1 ? LanePoints.of(lattice, blocked, diameter / 2) : LanePoints.centres(lattice);
+    return side == 1
+        ? LanePoints.of(lattice, blocked, diameter / 2, margin)
+        : LanePoints.centres(lattice);
   }
 
   /** Which lane cells robots cannot take at once, wherever they pass through them. */

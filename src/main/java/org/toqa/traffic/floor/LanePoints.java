@@ -40,10 +40,11 @@ final class LanePoints {
   /**
    * @param blocked the cells of walls and obstacles
    * @param radius of the robots, metres
+   * @param kept from walls, metres
    */
-  static LanePoints of(OccupancyGrid cells, BitSet blocked, double radius) {
+  static LanePoints of(OccupancyGrid cells, BitSet blocked, double radius, double kept) {
     double side = cells.resolution();
-    double lack = radius + Clearance.FROM_WALLS - side / 2;
+    double lack = radius + kept - side / 2;
     return new LanePoints(cells, blocked, Math.clamp(lack, 0, MOST * side));
   }
 

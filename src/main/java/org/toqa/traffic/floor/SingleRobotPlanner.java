@@ -46,7 +46,7 @@ final class SingleRobotPlanner {
     this.freeSpace = freeSpace;
     this.fitter = fitter;
     this.ends = new PathEnds(freeSpace);
-    this.formationPlanner = new FormationPlanner(freeSpace.grid(), fitter);
+    this.formationPlanner = new FormationPlanner(freeSpace.grid(), freeSpace.margins(), fitter);
   }
 
   /** As if no other robot were there; empty where the floor has no path. */
@@ -75,7 +75,7 @@ final class SingleRobotPlanner {
     }
     double longest = DETOUR * duration(near.get());
     return pathWithRoom
-        .apply(Clearance.FROM_WALLS)
+        .apply(freeSpace.margins().robot())
         .filter(roomy -> duration(roomy) <= longest)
         .or(() -> near);
   }
@@ -352,7 +352,7 @@ final class SingleRobotPlanner {
                         robot, robot.committedEnd(), stopping(exact), narrow, passingPlaces)))
             .filter(sections -> !sections.isEmpty() && isAcceptable.test(sections))
             .toList();
-    return Clearance.WALL_STEPS.stream()
+    return freeSpace.wallSteps().stream()
         .flatMap(
             room ->
                 fits.stream()

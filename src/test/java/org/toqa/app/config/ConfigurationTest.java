@@ -129,6 +129,8 @@ class ConfigurationTest {
         "DATABASE_URL  | localhost      | jdbc:mysql: or jdbc:h2:",
         "SIMULATE      | 501            | from 0 to 500",
         "WIDEST_ROBOT  | 11             | metres from 0.1 to 10",
+        "MARGINS_ROBOT | -0.1           | metres from 0 to 1",
+        "MARGINS_FORMATION | 0          | metres from 0.005 to 1",
         "CHARGING_BELOW| 4              | from 5 to 90",
         "CHARGING_UNTIL| 20             | more than charging.below, which is 20",
         "CHARGING_AFTER_HOURS | 25      | from 0.1 to 24",

@@ -21,6 +21,7 @@ import org.toqa.geometry.Pose;
 import org.toqa.grid.Cell;
 import org.toqa.grid.FloorMap;
 import org.toqa.grid.FloorReader;
+import org.toqa.grid.Margins;
 import org.toqa.grid.OccupancyGrid;
 import org.toqa.grid.Place;
 import org.toqa.motion.Trajectory;
@@ -42,7 +43,7 @@ class FormationPlacementTest {
   @BeforeAll
   static void readTheLab() throws Exception {
     lab = FloorReader.read(Path.of("maps", "lab.yaml"));
-    places = new FormationPlacement(lab.grid());
+    places = new FormationPlacement(lab.grid(), Margins.USUAL);
   }
 
   /** From each station to two others and to each from two; {@code -Dtoqa.stations=all}: to all. */
@@ -87,7 +88,7 @@ class FormationPlacementTest {
     OccupancyGrid coarse = lab.grid();
     int parts = (int) Math.round(coarse.resolution() / 0.05);
     OccupancyGrid fine = divided(coarse, parts);
-    FormationPlacement finePlaces = new FormationPlacement(fine);
+    FormationPlacement finePlaces = new FormationPlacement(fine, Margins.USUAL);
     int paths = 0;
     for (int i = 0; i < lab.stations().size() && paths < 3; i++) {
       Place start = lab.stations().get(i);

@@ -20,6 +20,7 @@ import org.jspecify.annotations.Nullable;
 import org.toqa.geometry.Pose;
 import org.toqa.geometry.Vec2;
 import org.toqa.grid.Cell;
+import org.toqa.grid.Margins;
 import org.toqa.grid.OccupancyGrid;
 import org.toqa.motion.DriveSpeeds;
 import org.toqa.traffic.Deadline;
@@ -88,6 +89,7 @@ final class DrivenFloor {
     this.traffic =
         new FloorTraffic(
             grid,
+            Margins.USUAL,
             new LacamJointPlanner(),
             FloorTraffic::rollingPlanner,
             () -> Deadline.in(planningLimit, this::planningNanos),

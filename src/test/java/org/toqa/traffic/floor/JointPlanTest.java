@@ -10,6 +10,7 @@ import org.junit.jupiter.api.Test;
 import org.toqa.geometry.Pose;
 import org.toqa.geometry.Vec2;
 import org.toqa.grid.Cell;
+import org.toqa.grid.Margins;
 import org.toqa.grid.OccupancyGrid;
 import org.toqa.traffic.RoadGraph;
 
@@ -17,7 +18,7 @@ class JointPlanTest {
   private static final double DIAMETER = 0.255;
 
   private final OccupancyGrid floor = DrivenFloor.draw("....", "....", "....");
-  private final LaneGrid lanes = LaneGrid.of(floor, DIAMETER);
+  private final LaneGrid lanes = LaneGrid.of(floor, DIAMETER, Margins.USUAL.robot());
   private final RoadGraph roads = lanes.roads(new BitSet());
 
   /**
@@ -72,7 +73,7 @@ class JointPlanTest {
             "r", 1, floor, new Pose(start.x(), start.y(), 0), DIAMETER / 2, Instant.EPOCH);
     List<int[]> steps = List.of(visits).stream().map(c -> new int[] {roads.vertex(c)}).toList();
     new JointPlan(
-            new FreeSpace(floor),
+            new FreeSpace(floor, Margins.USUAL),
             lanes.points(new BitSet()),
             new OccupiedSpace(floor, new BitSet(), List.of()),
             roads,

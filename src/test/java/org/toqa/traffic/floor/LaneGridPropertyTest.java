@@ -10,6 +10,7 @@ import net.jqwik.api.constraints.DoubleRange;
 import net.jqwik.api.constraints.Size;
 import org.toqa.geometry.Pose;
 import org.toqa.geometry.Vec2;
+import org.toqa.grid.Margins;
 import org.toqa.grid.OccupancyGrid;
 import org.toqa.traffic.RoadGraph;
 
@@ -18,7 +19,7 @@ class LaneGridPropertyTest {
   private static final double RADIUS = DIAMETER / 2;
 
   private final OccupancyGrid floor = DrivenFloor.draw("......", ".#....", "......", "....#.");
-  private final LaneGrid lanes = LaneGrid.of(floor, DIAMETER);
+  private final LaneGrid lanes = LaneGrid.of(floor, DIAMETER, Margins.USUAL.robot());
 
   /** Planners ask for the edge back wherever there is one. */
   @Property(tries = 300)

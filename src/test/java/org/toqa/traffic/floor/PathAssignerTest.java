@@ -17,6 +17,7 @@ import org.junit.jupiter.api.Test;
 import org.toqa.geometry.Pose;
 import org.toqa.geometry.Vec2;
 import org.toqa.grid.Cell;
+import org.toqa.grid.Margins;
 import org.toqa.grid.OccupancyGrid;
 import org.toqa.motion.DriveSpeeds;
 import org.toqa.motion.Trajectory;
@@ -39,7 +40,12 @@ class PathAssignerTest {
 
   private FloorTraffic traffic(JointPlanner planner) {
     return new FloorTraffic(
-        floor, planner, FloorTraffic::rollingPlanner, Deadline::none, plans::add);
+        floor,
+        Margins.USUAL,
+        planner,
+        FloorTraffic::rollingPlanner,
+        Deadline::none,
+        plans::add);
   }
 
   private void put(FloorTraffic on, String robot, Cell cell) {

@@ -16,6 +16,7 @@ import org.junit.jupiter.api.Test;
 import org.toqa.geometry.Pose;
 import org.toqa.geometry.Vec2;
 import org.toqa.grid.Cell;
+import org.toqa.grid.Margins;
 import org.toqa.grid.OccupancyGrid;
 import org.toqa.traffic.RoadGraph;
 
@@ -28,7 +29,7 @@ class PlanAdopterTest {
   private static final Instant NOW = Instant.EPOCH;
 
   private final OccupancyGrid floor = DrivenFloor.draw(".....", ".....", ".....");
-  private final LaneGrid lanes = LaneGrid.of(floor, DIAMETER);
+  private final LaneGrid lanes = LaneGrid.of(floor, DIAMETER, Margins.USUAL.robot());
   private final RoadGraph roads = lanes.roads(new BitSet());
   private final Map<String, TrafficRobot> robots = new TreeMap<>();
   private final TrafficRobot a = robot("a", 1, new Cell(0, 1), new Cell(3, 1));
@@ -82,7 +83,7 @@ class PlanAdopterTest {
     List<int[]> vertices =
         steps.stream().map(s -> s.stream().mapToInt(roads::vertex).toArray()).toList();
     new JointPlan(
-            new FreeSpace(floor),
+            new FreeSpace(floor, Margins.USUAL),
             lanes.points(new BitSet()),
             new OccupiedSpace(floor, new BitSet(), List.of()),
             roads,
