@@ -12,6 +12,7 @@
 <fmt:message key="map.fit" var="fit"/>
 <fmt:message key="map.measure" var="measure"/>
 <fmt:message key="map.zones" var="zonesLabel"/>
+<fmt:message key="map.margins" var="marginsLabel"/>
 <fmt:message key="replay.label" var="replayLabel"/>
 <fmt:message key="replay.time" var="timeLabel"/>
 <fmt:message key="replay.back" var="back"/>
@@ -30,6 +31,7 @@
         <div class="zoom">
           <button type="button" id="measure" aria-pressed="false" aria-label="${measure}" title="${measure}"><t:icon name="measure"/></button>
           <button type="button" id="zones" aria-pressed="false" aria-label="${zonesLabel}" title="${zonesLabel}"><t:icon name="zones"/></button>
+          <button type="button" id="margins" aria-pressed="false" aria-label="${marginsLabel}" title="${marginsLabel}"><t:icon name="margins"/></button>
           <button type="button" id="zoom-in" aria-label="${zoomIn}" title="${zoomIn}">+</button>
           <button type="button" id="zoom-out" aria-label="${zoomOut}" title="${zoomOut}">−</button>
           <button type="button" id="zoom-fit" aria-label="${fit}" title="${fit}"><t:icon name="fit"/></button>
@@ -86,7 +88,7 @@
         <p id="more-tasks" class="faint" hidden></p>
         <p id="no-tasks" class="faint" hidden><fmt:message key="map.tasks.none"/></p>
         <a role="button" class="wide" href="${root}/tasks/new"><fmt:message key="tasks.new"/></a>
-        <p><a href="${root}/loads"><fmt:message key="map.allLoads"/></a></p>
+        <a role="button" class="outline wide" href="${root}/loads"><fmt:message key="map.allLoads"/></a>
       </section>
       <section>
         <h2><fmt:message key="map.robots"/></h2>
@@ -129,7 +131,7 @@
       <summary><fmt:message key="map.legend"/></summary>
       <ul class="legend">
         <c:forEach items="${robotStates}" var="state"><li><span class="letter" data-state="${state}"><fmt:message key="robot.letter.${state}"/></span> <fmt:message key="robot.state.${state}"/></li></c:forEach>
-        <c:forTokens items="station,parking,charging,load,goal,released,planned,obstacle,reserved,standstill,hold,zone" delims="," var="sign"><li><t:icon name="legend-${sign}"/> <fmt:message key="map.legend.${sign}"/></li></c:forTokens>
+        <c:forTokens items="station,parking,charging,load,goal,released,planned,obstacle,reserved,standstill,hold,zone,margins" delims="," var="sign"><li><t:icon name="legend-${sign}"/> <fmt:message key="map.legend.${sign}"/></li></c:forTokens>
       </ul>
     </details>
   </aside>

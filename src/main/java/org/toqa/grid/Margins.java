@@ -5,8 +5,8 @@ package org.toqa.grid;
  * margins 1 and 2), metres, 0 or more.
  *
  * @param robot by a robot alone, where there is room for it and the path is not much longer
- * @param formation by a formation, at least {@link #LEAST}; no more than that where it sets out,
- *     if need be
+ * @param formation by a formation, at least {@link #LEAST}; no more than that where it sets out, if
+ *     need be
  */
 public record Margins(double robot, double formation) {
   /** What a formation keeps even where it may need all the room that there is. */

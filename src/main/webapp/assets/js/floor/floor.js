@@ -11,6 +11,7 @@ export class Floor {
   #map;
   #walls;
   #wallColour = '';
+  #outline;
 
   constructor(map) {
     this.#map = map;
@@ -40,7 +41,8 @@ export class Floor {
     return {x: origin.x, y: origin.y, width: width * resolution, height: height * resolution};
   }
 
-  draw(context, viewport, colours) {
+  /** @param showsMargins whether with what robots keep from walls */
+  draw(context, viewport, colours, showsMargins = false) {
     const {width, height, resolution} = this.#map;
     const {x, y} = this.bounds;
     const [left, top] = viewport.toScreen(x, y + height * resolution);
@@ -49,6 +51,9 @@ export class Floor {
     context.fillRect(left, top, width * cell, height * cell);
     if (cell >= 10) {
       this.#drawLines(context, viewport, colours, left, top, cell);
+    }
+    if (showsMargins) {
+      this.#drawMargins(context, colours, left, top, cell);
     }
     context.imageSmoothingEnabled = false;
     context.drawImage(this.#wallPicture(colours['map-wall']), left, top, width * cell, height * cell);
@@ -75,6 +80,51 @@ export class Floor {
     context.strokeStyle = colours['map-line'];
     context.lineWidth = 1;
     context.stroke();
+  }
+
+  /** That of robots alone light, that of several that carry together dark. */
+  #drawMargins(context, colours, left, top, cell) {
+    const {margins, resolution, width, height} = this.#map;
+    this.#outline ??= this.#wallOutline();
+    context.save();
+    context.beginPath();
+    context.rect(left, top, width * cell, height * cell);
+    context.clip();
+    context.translate(left, top);
+    context.scale(cell, cell);
+    context.lineCap = 'round';
+    context.strokeStyle = colours['map-goal'];
+    for (const [metres, alpha] of [[margins.robot, 0.35], [margins.formation, 0.8]]) {
+      context.globalAlpha = alpha;
+      context.lineWidth = 2 * metres / resolution;
+      context.stroke(this.#outline);
+    }
+    context.restore();
+  }
+
+  /** Where walls, or the map, end; in cells. */
+  #wallOutline() {
+    const {width, height, occupied} = this.#map;
+    const isWall = new Uint8Array(width * height);
+    for (const {column, row, count} of this.#rows(occupied)) {
+      isWall.fill(1, row * width + column, row * width + column + count);
+    }
+    const at = (column, row) =>
+      column < 0 || row < 0 || column >= width || row >= height ? 1 : isWall[row * width + column];
+    const outline = new Path2D();
+    for (let row = 0; row <= height; row++) {
+      for (let column = 0; column <= width; column++) {
+        if (at(column, row) !== at(column, row - 1)) {
+          outline.moveTo(column, row);
+          outline.lineTo(column + 1, row);
+        }
+        if (at(column, row) !== at(column - 1, row)) {
+          outline.moveTo(column, row);
+          outline.lineTo(column, row + 1);
+        }
+      }
+    }
+    return outline;
   }
 
   /**

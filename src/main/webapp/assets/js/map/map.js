@@ -14,7 +14,8 @@ import {Measuring} from './measuring.js';
 import {PoseInterpolator} from './pose-interpolator.js';
 import {drawLeftLoads, drawRobots, drawTasks, replayedRobot} from './robots.js';
 import {StateFilter} from './state-filter.js';
-import {Zones} from './zones.js';
+import {Switch} from './switch.js';
+import {drawZones} from './zones.js';
 
 const SMALLEST_FOOTPRINT = 0.255; // metres, the diameter of a robot of which nothing else is known
 
@@ -33,7 +34,8 @@ class MapPage {
   #following = new Following($('#following'), this.#canvas, this.#state, (name) => this.#poseOf(name, performance.now()));
 
   #measuring = new Measuring($('#measuring'), $('#measure'), this.#canvas);
-  #zones = new Zones($('#zones'), this.#canvas);
+  #zones = new Switch($('#zones'), this.#canvas);
+  #margins = new Switch($('#margins'), this.#canvas);
 
   async start() {
     this.#listenForZoomButtons();
@@ -92,7 +94,7 @@ class MapPage {
     }
     viewport.centreOnTarget();
     this.#following.showBar();
-    this.#floor.draw(context, viewport, colours);
+    this.#floor.draw(context, viewport, colours, this.#margins.isOn);
     const goesOn = this.#replay.isOpen
       ? this.#drawReplay(context, viewport, colours, now)
       : this.#drawLive(context, viewport, colours, now);
@@ -104,7 +106,9 @@ class MapPage {
     const view = this.#state.floor(this.#floor.name);
     const poseOf = (name) => this.#interpolator.poseOf(name, now);
     if (view) {
-      this.#zones.draw(context, viewport, colours, view.zones);
+      if (this.#zones.isOn) {
+        drawZones(context, viewport, colours, view.zones);
+      }
       drawBlockedCells(context, viewport, colours, this.#floor, view);
       drawLeftLoads(context, viewport, colours, view.leftLoads);
     }

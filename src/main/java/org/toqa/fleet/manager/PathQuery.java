@@ -163,7 +163,8 @@ final class PathQuery {
 
   private static Optional<Sentence> objection(
       FloorMap floor, Mission mission, TeamQuestion question) {
-    return new TeamRoomCheck(floor.grid(), floor.margins()).objection(mission, question.robots(), question.diameter());
+    return new TeamRoomCheck(floor.grid(), floor.margins())
+        .objection(mission, question.robots(), question.diameter());
   }
 
   /** Passed when the check that is worked for on this thread is out of time. */

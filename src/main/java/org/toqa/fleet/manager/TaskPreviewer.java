@@ -29,8 +29,7 @@ final class TaskPreviewer {
    * @param floor the task's
    * @param check of the preview
    */
-  TaskPreviewer(
-      RoundDecider decider, PathQuery paths, FloorMap floor, OrderChecks.Check check) {
+  TaskPreviewer(RoundDecider decider, PathQuery paths, FloorMap floor, OrderChecks.Check check) {
     this.decider = decider;
     this.paths = paths;
     this.floor = floor;

@@ -238,13 +238,7 @@ final class FormationPlanner {
         question.goal,
         question.speeds,
         new FormationClearance(
-            grid,
-            formation,
-            question.start,
-            question.solid,
-            claimed,
-            margins.formation(),
-            margin),
+            grid, formation, question.start, question.solid, claimed, margins.formation(), margin),
         new BitSet());
   }
 

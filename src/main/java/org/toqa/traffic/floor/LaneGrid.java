@@ -44,6 +44,7 @@ final class LaneGrid {
 
   /** Of the largest robot for which they are, metres. */
   private final double margin;
+
   private final double diameter;
 
   /** The side of a lane cell, in cells of the floor. */

@@ -4,6 +4,7 @@ import java.util.List;
 import org.toqa.geometry.Vec2;
 import org.toqa.grid.CellRuns;
 import org.toqa.grid.FloorMap;
+import org.toqa.grid.Margins;
 import org.toqa.grid.OccupancyGrid;
 import org.toqa.grid.Place;
 
@@ -16,6 +17,7 @@ import org.toqa.grid.Place;
  * @param origin metres, the lower left corner of the lower left cell in the map frame
  * @param occupied runs of cells that are not free, row by row from the top: index of the first cell
  *     (row times width plus column), number of cells, and so on by turns
+ * @param margins kept from walls, metres
  */
 record MapJson(
     String floor,
@@ -26,7 +28,8 @@ record MapJson(
     List<PlaceJson> stations,
     List<PlaceJson> parking,
     List<PlaceJson> charging,
-    List<Integer> occupied) {
+    List<Integer> occupied,
+    Margins margins) {
 
   /** Metres, map frame. */
   record PlaceJson(String name, double x, double y) {
@@ -46,6 +49,7 @@ record MapJson(
         floor.stations().stream().map(PlaceJson::of).toList(),
         floor.parking().stream().map(PlaceJson::of).toList(),
         floor.charging().stream().map(PlaceJson::of).toList(),
-        CellRuns.of(grid.occupied()).runs());
+        CellRuns.of(grid.occupied()).runs(),
+        floor.margins());
   }
 }

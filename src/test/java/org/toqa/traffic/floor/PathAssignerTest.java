@@ -40,12 +40,7 @@ class PathAssignerTest {
 
   private FloorTraffic traffic(JointPlanner planner) {
     return new FloorTraffic(
-        floor,
-        Margins.USUAL,
-        planner,
-        FloorTraffic::rollingPlanner,
-        Deadline::none,
-        plans::add);
+        floor, Margins.USUAL, planner, FloorTraffic::rollingPlanner, Deadline::none, plans::add);
   }
 
   private void put(FloorTraffic on, String robot, Cell cell) {

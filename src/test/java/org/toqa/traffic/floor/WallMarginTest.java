@@ -45,8 +45,7 @@ class WallMarginTest {
   /** Between a robot and the wall that it goes round, where it is nearest. */
   private static double gapOnTheWay(Margins margins) {
     OccupancyGrid grid = hall(25);
-    FloorTraffic traffic =
-        new FloorTraffic(grid, margins, new LacamJointPlanner(), Deadline::none);
+    FloorTraffic traffic = new FloorTraffic(grid, margins, new LacamJointPlanner(), Deadline::none);
     traffic.reportStanding("r", new Pose(1.05, 1.05, 0), DIAMETER, Instant.EPOCH);
     traffic.setMovable("r", true);
     traffic.setGoal("r", new Vec2(4.95, 1.05), Instant.EPOCH);

@@ -161,6 +161,9 @@ class MapInBrowserTest extends PagesInBrowser {
                     new FloorView.ZoneView("r2", new Vec2(6, 0), new Vec2(12, 8)))));
 
     await(page, () -> !pictureOf(page).equals(before));
+    Object withoutMargins = pictureOf(page);
+    page.locator("#margins").click();
+    await(page, () -> !pictureOf(page).equals(withoutMargins));
     Object withoutZones = pictureOf(page);
     page.locator("#zones").click();
     await(page, () -> !pictureOf(page).equals(withoutZones));
