@@ -91,7 +91,11 @@ final class FormCases {
             "/tasks/{id}/priority",
             Map.of("priority", "10"),
             Map.of("priority", REFUSED, "version", CONFLICT)),
-        FormCase.of("tasks/{held}", "/tasks/{id}/cancel", Map.of(), Map.of("load", REFUSED)),
+        FormCase.of(
+            "tasks/{held}",
+            "/tasks/{id}/cancel",
+            Map.of("load", "here"),
+            Map.of("load", REFUSED)),
         FormCase.of(
             "tasks/{left}",
             "/tasks/{id}/load-moved",
