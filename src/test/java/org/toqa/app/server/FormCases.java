@@ -92,10 +92,7 @@ final class FormCases {
             Map.of("priority", "10"),
             Map.of("priority", REFUSED, "version", CONFLICT)),
         FormCase.of(
-            "tasks/{held}",
-            "/tasks/{id}/cancel",
-            Map.of("load", "here"),
-            Map.of("load", REFUSED)),
+            "tasks/{held}", "/tasks/{id}/cancel", Map.of("load", "here"), Map.of("load", REFUSED)),
         FormCase.of(
             "tasks/{left}",
             "/tasks/{id}/load-moved",
