@@ -104,6 +104,18 @@ class FleetLoadsTest extends HallFleetTest {
     assertFalse(LoadView.of(stage.fleet.snapshots().latest()).isEmpty());
   }
 
+  @Test
+  void aRobotThatTakesItselfToBeBesideTheMapKeepsNobodyFromDriving() throws Exception {
+    setDownInTheDoor();
+    reopenWith("r2", new Vec2(6.5, 0.5), "P2");
+    until(view -> view.robots().stream().allMatch(r -> r.state() == RobotState.IDLE));
+    scriptedRobot("r1").shove(new Vec2(-20, 2));
+
+    long task = submit(IN_THE_MIDDLE, new Where.Station("East"));
+
+    until(view -> task(view, task).state() == TaskState.DONE);
+  }
+
   private static MissionEvent.MoveLoad moved(Vec2 where) {
     return new MissionEvent.MoveLoad("Max", new TaskPlace(where, null));
   }

@@ -210,6 +210,7 @@ final class FloorMissions {
 
   /** Which loads do not count for which robots, as these stand now. */
   void updatePassableLoads() {
+    state.leftLoads.keepRobots(state.robots.keySet());
     for (String robot : state.robots.keySet()) {
       if (state.traffic.hasRobot(robot)) {
         state.leftLoads.updatePassable(robot, fetchedBy(robot), state.traffic);

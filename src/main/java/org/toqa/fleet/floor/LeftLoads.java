@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Objects;
 import java.util.Optional;
+import java.util.Set;
 import org.jspecify.annotations.Nullable;
 import org.toqa.fleet.FloorView.LeftLoad;
 import org.toqa.fleet.LoadView;
@@ -114,7 +115,7 @@ final class LeftLoads {
         BitSet same = (BitSet) before.clone();
         same.and(load.cells());
         now.or(same);
-      } else if (load.cells().get(grid.index(grid.cellAt(traffic.position(robot))))) {
+      } else if (isOn(load, traffic.position(robot))) {
         now.or(outward(load, traffic.position(robot), traffic.standingCells(robot)));
       }
     }
@@ -123,6 +124,17 @@ final class LeftLoads {
     } else {
       passable.put(robot, now);
     }
+  }
+
+  /** A robot may say that it is beside the map. */
+  private boolean isOn(Entry load, Vec2 place) {
+    Cell cell = grid.cellAt(place);
+    return grid.contains(cell) && load.cells().get(grid.index(cell));
+  }
+
+  /** Forgets robots that are here no more. */
+  void keepRobots(Set<String> robots) {
+    passable.keySet().retainAll(robots);
   }
 
   /** The cells that are no nearer to the load's middle than a robot, and those that it is on. */
