@@ -36,30 +36,6 @@ public record FloorView(
     List<HeldLoad> heldLoads,
     List<ZoneView> zones) {
 
-  /** Without what is only shown. */
-  public FloorView(
-      String name,
-      @Nullable Hold hold,
-      CellRuns obstacles,
-      Map<String, CellRuns> silentRobotCells,
-      List<StandstillView> standstills,
-      List<FaultyCharger> faultyChargers,
-      List<LeftLoad> leftLoads,
-      @Nullable ChargerShortage chargerShortage) {
-    this(
-        name,
-        hold,
-        obstacles,
-        silentRobotCells,
-        standstills,
-        faultyChargers,
-        leftLoads,
-        chargerShortage,
-        List.of(),
-        List.of(),
-        List.of());
-  }
-
   public FloorView {
     silentRobotCells = Map.copyOf(silentRobotCells);
     standstills = List.copyOf(standstills);

@@ -40,32 +40,6 @@ public record TaskView(
     robots = List.copyOf(robots);
   }
 
-  /** Of a task with its own load, which is where it was when the task was ordered. */
-  public TaskView(
-      TransportTask task,
-      TaskState state,
-      boolean held,
-      List<String> robots,
-      @Nullable TaskPlace loadAt,
-      @Nullable Sentence waitingFor,
-      boolean blocked,
-      @Nullable Question needs,
-      @Nullable Sentence late,
-      Instant changedAt) {
-    this(
-        task,
-        state,
-        held,
-        robots,
-        loadAt,
-        waitingFor,
-        blocked,
-        needs,
-        late,
-        changedAt,
-        new LoadRecord(task.id(), task.createdAt()));
-  }
-
   /**
    * @param waitingFor a sentence while it waits, else null
    */

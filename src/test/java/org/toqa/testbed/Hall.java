@@ -57,7 +57,7 @@ public final class Hall {
 
   /** A floor with an obstacle of 2 x 2 cells, those of a lost robot r6, and a standstill. */
   public static FloorView crowdedFloor() {
-    return new FloorView(
+    return Views.floor(
         "hall",
         null,
         new CellRuns(List.of(375, 2, 415, 2)), // rows 9 and 10, columns 15 and 16

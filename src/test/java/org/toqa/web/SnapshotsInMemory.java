@@ -22,6 +22,7 @@ import org.toqa.fleet.TaskView;
 import org.toqa.grid.CellRuns;
 import org.toqa.mission.TaskState;
 import org.toqa.testbed.Hall;
+import org.toqa.testbed.Views;
 import org.toqa.wording.Phrase;
 import org.toqa.wording.Sentence;
 
@@ -131,7 +132,7 @@ public abstract class SnapshotsInMemory implements SnapshotFeed {
       }
       floors =
           List.of(
-              new FloorView(
+              Views.floor(
                   floor, next, CellRuns.NONE, Map.of(), List.of(), List.of(), List.of(), null));
       publish(latest.robots());
       return CompletableFuture.completedFuture(new Answer.Accepted<>(Optional.ofNullable(next)));

@@ -35,6 +35,7 @@ import org.toqa.mission.TransportTask;
 import org.toqa.mission.Trouble;
 import org.toqa.persistence.StoreException;
 import org.toqa.testbed.Hall;
+import org.toqa.testbed.Views;
 import org.toqa.wording.Phrase;
 import org.toqa.wording.Sentence;
 
@@ -82,7 +83,7 @@ public abstract class TasksInMemory extends ArchiveInMemory implements Fleet {
       tasks.replaceAll(
           view ->
               view.id() == id
-                  ? new TaskView(
+                  ? Views.task(
                       view.task(), state, false, robots, null, null, false, null, null, latest.at())
                   : view);
       events.add(
@@ -135,7 +136,7 @@ public abstract class TasksInMemory extends ArchiveInMemory implements Fleet {
         return CompletableFuture.completedFuture(checked.asRejection());
       }
       TaskView view =
-          new TaskView(
+          Views.task(
               task,
               TaskState.QUEUED,
               false,
@@ -198,7 +199,7 @@ public abstract class TasksInMemory extends ArchiveInMemory implements Fleet {
   private void setPart(OrderPart part) {
     TaskView view = tasks.removeLast();
     tasks.add(
-        new TaskView(
+        Views.task(
             view.task().withPart(part),
             view.state(),
             view.held(),

@@ -39,8 +39,12 @@ public enum Setting {
   SIMULATE("simulate", "0", new WholeNumber(0, 500)),
   SIMULATE_BATTERIES("simulateBatteries", "100", new WholeNumbers(5, 100, "percent")),
   WIDEST_ROBOT("widestRobot", "1", new Decimal(0.1, 10, "metres")),
-  MARGINS_ROBOT("margins.robot", "0.05", new Decimal(0, 1, "metres")),
-  MARGINS_FORMATION("margins.formation", "0.02", new Decimal(Margins.LEAST, 1, "metres")),
+  MARGINS_ROBOT(
+      "margins.robot", String.valueOf(Margins.USUAL.robot()), new Decimal(0, 1, "metres")),
+  MARGINS_FORMATION(
+      "margins.formation",
+      String.valueOf(Margins.USUAL.formation()),
+      new Decimal(Margins.LEAST, 1, "metres")),
   LOST_AFTER("lostAfter", "30", new WholeNumber(5, 3600, "seconds")),
   CHARGING_BELOW("charging.below", "20", new WholeNumber(5, 90, "percent")),
   CHARGING_UNTIL("charging.until", "95", new WholeNumber(10, 100, "percent")),

@@ -22,17 +22,11 @@ final class DriveDispatcher {
   /** A person who crosses a path is gone after this; what is not gone was looked at all round. */
   private static final Duration OBSTACLE_PATIENCE = Duration.ofSeconds(5);
 
-  /** The code by which a robot reports that an obstacle stops it. */
-  private static final String OBSTACLE = "OBSTACLE";
-
   /** A robot that was put back onto its path has gone on by then. */
   private static final Duration OFF_PATH_PATIENCE = Duration.ofSeconds(1);
 
   /** A follower whose leader has ended says by then that it has ended too. */
   private static final Duration LEFT_BEHIND_PATIENCE = Duration.ofSeconds(2);
-
-  /** The code by which a robot reports that it stands because it is too far beside its path. */
-  private static final String OFF_WAY = "OFF_WAY";
 
   private final FloorState state;
   private final FloorMissions missions;
@@ -107,7 +101,7 @@ final class DriveDispatcher {
     boolean isStopped =
         report.role() == Role.ALONE
             && report.mode() == Mode.DRIVING
-            && report.hasError(OBSTACLE)
+            && report.hasError(LastReport.OBSTACLE)
             && state.traffic.isObstacleAhead(robot.name());
     return robot.obstructed.update(isStopped, OBSTACLE_PATIENCE, state.now);
   }
@@ -125,7 +119,8 @@ final class DriveDispatcher {
    */
   private boolean updateOffPath(FloorRobot robot) {
     LastReport report = robot.reported.report();
-    boolean isOff = report.mode() == Mode.DRIVING && !report.moving() && report.hasError(OFF_WAY);
+    boolean isOff =
+        report.mode() == Mode.DRIVING && !report.moving() && report.hasError(LastReport.OFF_WAY);
     return robot.offPath.update(isOff, OFF_PATH_PATIENCE, state.now);
   }
 

@@ -30,7 +30,7 @@ final class FloorRobot {
   private static final Logger log = LoggerFactory.getLogger(FloorRobot.class);
 
   /** The codes by which a robot reports that it stands, and will go on by itself. */
-  private static final Set<String> STOPS_ON_PATH = Set.of("OBSTACLE", "OFF_WAY");
+  private static final Set<String> STOPS_ON_PATH = Set.of(LastReport.OBSTACLE, LastReport.OFF_WAY);
 
   final ActorRef<RobotMessage> agent;
 

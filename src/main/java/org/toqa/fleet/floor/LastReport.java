@@ -36,6 +36,12 @@ record LastReport(
     List<Fault> errors,
     @Nullable Instant at) {
 
+  /** The code by which a robot reports that an obstacle stops it. */
+  static final String OBSTACLE = "OBSTACLE";
+
+  /** The code by which a robot reports that it stands because it is too far beside its path. */
+  static final String OFF_WAY = "OFF_WAY";
+
   /** Of a robot that was never heard of. */
   static final LastReport NONE =
       new LastReport(

@@ -112,7 +112,7 @@ final class FormationPlanner {
 
   /** Kept from walls round the start, metres, in the order in which they are tried. */
   static List<Double> atStart(Margins margins) {
-    return List.of(margins.formation(), Margins.LEAST);
+    return Stream.of(margins.formation(), Margins.LEAST).distinct().toList();
   }
 
   /**

@@ -21,17 +21,17 @@ final class FreeSpace {
   /** Metres that a robot still keeps from walls where there is no room for its margin. */
   private static final double NARROW = 0.02;
 
-  private final OccupancyGrid grid;
-  private final BitSet walls;
   private static final double ROUNDING = 1e-6;
 
+  private final OccupancyGrid grid;
+  private final Margins margins;
+  private final BitSet walls;
   private Obstacles obstacles = Obstacles.NONE;
   private BitSet blocked;
 
   private final BySize<OccupancyGrid> freeOfWalls;
   private final BySize<OccupancyGrid> freeCells = new BySize<>();
   private final BySize<List<Cell>> discOffsets = new BySize<>();
-  private final Margins margins;
   private final BySize<LaneGrid> laneGrid = new BySize<>();
   private final BySize<RoadGraph> laneRoads = new BySize<>();
 

@@ -43,9 +43,10 @@ final class LaneGrid {
   private final OccupancyGrid floor;
 
   /** Of the largest robot for which they are, metres. */
-  private final double margin;
-
   private final double diameter;
+
+  /** Kept from walls where robots pass through lane cells, metres. */
+  private final double margin;
 
   /** The side of a lane cell, in cells of the floor. */
   private final int side;

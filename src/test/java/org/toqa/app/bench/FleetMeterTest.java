@@ -24,6 +24,7 @@ import org.toqa.motion.DriveSpeeds;
 import org.toqa.sim.Body;
 import org.toqa.sim.ClearanceJudge;
 import org.toqa.testbed.Hall;
+import org.toqa.testbed.Views;
 
 class FleetMeterTest {
   private static final Instant NOON = Instant.parse("2026-06-01T12:00:00Z");
@@ -112,7 +113,7 @@ class FleetMeterTest {
   private static TaskView task(long id, TaskState state) {
     TransportTask task =
         new TransportTask(id, "t", 2, PLACE, PLACE, "hall", 0, null, null, "boss", NOON);
-    return new TaskView(task, state, false, List.of(), null, null, false, null, null, NOON);
+    return Views.task(task, state, false, List.of(), null, null, false, null, null, NOON);
   }
 
   /** r1 is 0.2 m wide, any other one 0.3 m. */

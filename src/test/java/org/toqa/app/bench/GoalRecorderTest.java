@@ -19,6 +19,7 @@ import org.toqa.mission.TaskPlace;
 import org.toqa.mission.TaskState;
 import org.toqa.mission.TransportTask;
 import org.toqa.testbed.Hall;
+import org.toqa.testbed.Views;
 import org.toqa.traffic.RoadGraph;
 import org.toqa.wording.Phrase;
 
@@ -80,7 +81,7 @@ class GoalRecorderTest {
     TransportTask task =
         new TransportTask(
             id, "t", 2, place(start), place(goal), "hall", 0, null, null, "boss", NOON);
-    return new TaskView(task, state, false, List.of(robot), null, null, false, null, null, NOON);
+    return Views.task(task, state, false, List.of(robot), null, null, false, null, null, NOON);
   }
 
   private static TaskPlace place(int column) {

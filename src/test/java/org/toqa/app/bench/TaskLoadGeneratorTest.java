@@ -12,6 +12,7 @@ import org.toqa.geometry.Vec2;
 import org.toqa.mission.TaskPlace;
 import org.toqa.mission.TaskState;
 import org.toqa.mission.TransportTask;
+import org.toqa.testbed.Views;
 
 class TaskLoadGeneratorTest {
   private static final Instant NOON = Instant.parse("2026-06-01T12:00:00Z");
@@ -37,6 +38,6 @@ class TaskLoadGeneratorTest {
   private static TaskView task(long id, TaskState state) {
     TransportTask task =
         new TransportTask(id, "t", 2, PLACE, PLACE, "hall", 0, null, null, "boss", NOON);
-    return new TaskView(task, state, false, List.of(), null, null, false, null, null, NOON);
+    return Views.task(task, state, false, List.of(), null, null, false, null, null, NOON);
   }
 }

@@ -20,6 +20,7 @@ import org.toqa.mission.TaskPlace;
 import org.toqa.mission.TaskState;
 import org.toqa.mission.TransportTask;
 import org.toqa.testbed.Hall;
+import org.toqa.testbed.Views;
 import org.toqa.wording.Phrase;
 
 class PlacesInUseTest {
@@ -84,7 +85,7 @@ class PlacesInUseTest {
             null,
             "boss",
             NOON);
-    return new TaskView(task, state, false, List.of("r1"), null, null, false, null, null, NOON);
+    return Views.task(task, state, false, List.of("r1"), null, null, false, null, null, NOON);
   }
 
   private static RobotView robot(String name, long task, double x, double y) {

@@ -18,12 +18,12 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.toqa.accounts.Role;
-import org.toqa.fleet.FloorView;
 import org.toqa.fleet.RobotState;
 import org.toqa.fleet.RobotView;
 import org.toqa.geometry.Pose;
 import org.toqa.grid.CellRuns;
 import org.toqa.link.message.AgentMessage.Fault;
+import org.toqa.testbed.Views;
 import org.toqa.web.TestClient;
 import org.toqa.web.WebTestServer;
 
@@ -41,7 +41,7 @@ class ManagerPagesInBrowserTest extends PagesInBrowser {
     server
         .fleet()
         .changeFloor(
-            new FloorView(
+            Views.floor(
                 "hall",
                 null,
                 CellRuns.NONE,

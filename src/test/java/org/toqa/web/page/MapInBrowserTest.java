@@ -17,6 +17,7 @@ import org.toqa.grid.CellRuns;
 import org.toqa.link.message.AgentMessage.Fault;
 import org.toqa.mission.LoadRecord;
 import org.toqa.testbed.Hall;
+import org.toqa.testbed.Views;
 import org.toqa.web.WebTestServer;
 import org.toqa.wording.Phrase;
 import org.toqa.wording.Sentence;
@@ -121,7 +122,7 @@ class MapInBrowserTest extends PagesInBrowser {
     server
         .fleet()
         .changeFloor(
-            new FloorView(
+            Views.floor(
                 "hall", null, CellRuns.NONE, Map.of(), List.of(), List.of(), List.of(), null));
 
     await(page, () -> !pictureOf(page).equals(crowded));
@@ -217,7 +218,7 @@ class MapInBrowserTest extends PagesInBrowser {
     server
         .fleet()
         .changeFloor(
-            new FloorView(
+            Views.floor(
                 "hall", null, CellRuns.NONE, Map.of(), List.of(), List.of(), List.of(), null));
     for (int width : List.of(1280, 390)) {
       Page page = loggedIn(width, 900, ColorScheme.LIGHT);
