@@ -81,8 +81,7 @@ class FormationTest {
     group.startFormation(List.of(STRAIGHT));
     group.server(0).awaitState(s -> s.twist().v() > 0.2);
     group.server(2).assertAccepted(new Hold(5));
-    State stopped = group.server(0).awaitState(s -> hasFault(s, "FORMATION_STOPPED"));
-    assertTrue(stopped.errors().getFirst().text().contains("r3"), stopped.errors().toString());
+    awaitStopped("r3 cannot follow");
     group.server(0).awaitState(s -> s.twist().v() < 0.01);
     group.server(1).awaitState(s -> s.twist().v() < 0.01);
 
@@ -97,8 +96,7 @@ class FormationTest {
     group.server(0).awaitState(s -> s.twist().v() > 0.2);
     long gone = group.kill(2);
 
-    State leader = group.server(0).awaitState(s -> hasFault(s, "FORMATION_STOPPED"));
-    assertEquals("The group has stopped: r3 does not answer.", leader.errors().getFirst().text());
+    awaitStopped("r3 does not answer");
     assertStandsSince(gone + STAND_MILLIS, 0);
     assertStandsSince(gone + STAND_MILLIS, 1);
   }
@@ -168,6 +166,12 @@ class FormationTest {
 
   private Pose standing(int robot) {
     return group.server(robot).awaitState(s -> s.mode() == Mode.IDLE).pose();
+  }
+
+  /** On a busy machine the group may first have stopped for a moment for another reason. */
+  private void awaitStopped(String reason) {
+    Fault stopped = new Fault("FORMATION_STOPPED", "The group has stopped: " + reason + ".");
+    group.server(0).awaitState(s -> s.errors().contains(stopped));
   }
 
   /** It is heard for a while longer, and in that time no more than settles. */
