@@ -7,8 +7,8 @@ import java.nio.file.Path;
 
 /** What a map file may be at most; checked before memory is taken for it. */
 final class MapLimits {
-  /** 4 million cells: 2048 x 2048, or 600 m x 600 m at 0.30 m. */
-  static final int MAX_CELLS = 1 << 22;
+  /** 17 million cells: 4096 x 4096, or 200 m x 200 m at 0.05 m. */
+  static final int MAX_CELLS = 1 << 24;
 
   /** Bytes of an image or of a map in text. */
   static final long MAX_MAP_BYTES = 64L << 20;

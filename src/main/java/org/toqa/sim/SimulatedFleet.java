@@ -28,8 +28,10 @@ public final class SimulatedFleet implements AutoCloseable {
 
   private static final Logger log = LoggerFactory.getLogger(SimulatedFleet.class);
 
+  /** The diameter of a simulated robot, metres. */
+  public static final double FOOTPRINT = 0.255;
+
   private static final int ANY_FREE_PORT = 0;
-  private static final double FOOTPRINT = 0.255;
   private static final MotionLimits LIMITS = new MotionLimits(0.5, 3.5, 0.5, 3);
   private static final double SLIP = 0.01;
 

@@ -1,30 +1,39 @@
 package org.toqa.app.server;
 
-import java.util.Set;
-import java.util.stream.Collectors;
+import java.util.List;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
-import org.toqa.grid.Cell;
+import org.toqa.geometry.Vec2;
 import org.toqa.grid.FloorMap;
+import org.toqa.grid.Inflation;
 import org.toqa.grid.OccupancyGrid;
 import org.toqa.grid.Place;
+import org.toqa.sim.SimulatedFleet;
+import org.toqa.traffic.RoadGraph;
 
 /** Places to put simulated robots where the parking points do not suffice. */
 public final class FreeCells {
   private FreeCells() {}
 
-  /** Every second free cell of every second row that is no named place, row by row from the top. */
+  /**
+   * Cells in which a simulated robot has room, in the largest part of the floor that it can drive
+   * in; two robots' diameters and two cells apart at least, and clear of the named places; row by
+   * row from the top.
+   */
   public static Stream<Place> of(FloorMap floor) {
+    double diameter = SimulatedFleet.FOOTPRINT;
+    RoadGraph roads = new RoadGraph(Inflation.inflate(floor.grid(), diameter / 2));
     OccupancyGrid grid = floor.grid();
-    Set<Cell> named =
+    int step = Math.max(2, (int) Math.ceil(2 * diameter / grid.resolution()));
+    List<Vec2> named =
         Stream.of(floor.stations(), floor.parking(), floor.charging())
-            .flatMap(places -> places.stream())
-            .map(place -> grid.cellAt(place.position()))
-            .collect(Collectors.toSet());
-    return IntStream.range(0, grid.width() * grid.height())
-        .mapToObj(grid::cell)
-        .filter(c -> c.column() % 2 == 1 && c.row() % 2 == 1 && grid.isFree(c))
-        .filter(c -> !named.contains(c))
+            .flatMap(places -> places.stream().map(Place::position))
+            .toList();
+    return IntStream.range(0, roads.vertexCount())
+        .filter(roads::isInLargestPart)
+        .mapToObj(roads::cell)
+        .filter(c -> c.column() % step == 1 && c.row() % step == 1)
+        .filter(c -> named.stream().noneMatch(p -> p.distanceTo(grid.centre(c)) < diameter))
         .map(c -> new Place("cell " + c, grid.centre(c)));
   }
 }

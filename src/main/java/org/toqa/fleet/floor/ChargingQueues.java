@@ -6,6 +6,7 @@ import java.util.Objects;
 import java.util.Optional;
 import java.util.function.Predicate;
 import java.util.stream.Stream;
+import org.toqa.allocation.PathLengths;
 import org.toqa.fleet.ChargeRecord.Turn;
 import org.toqa.fleet.ChargingRules;
 import org.toqa.geometry.Pose;
@@ -25,7 +26,7 @@ final class ChargingQueues {
 
   private final FloorState state;
   private final ChargingRules rules;
-  private final FloorDistances distances;
+  private final PathLengths distances;
 
   /**
    * @param seconds until the robot can begin to charge there
@@ -35,7 +36,9 @@ final class ChargingQueues {
   ChargingQueues(FloorState state, ChargingRules rules) {
     this.state = state;
     this.rules = rules;
-    this.distances = new FloorDistances(state.floor.grid());
+    this.distances =
+        new FloorDistances(state.floor.grid())
+            .withoutWaiting(state.runtime.boundedExecutor("distances-" + state.floor.name(), 1));
   }
 
   /**

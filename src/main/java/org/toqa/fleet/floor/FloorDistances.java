@@ -3,6 +3,9 @@ package org.toqa.fleet.floor;
 import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.Map;
+import java.util.Set;
+import java.util.concurrent.ConcurrentHashMap;
+import java.util.concurrent.Executor;
 import java.util.function.ToDoubleFunction;
 import org.toqa.allocation.PathLengths;
 import org.toqa.geometry.Vec2;
@@ -20,9 +23,15 @@ public final class FloorDistances implements PathLengths {
   /** Of all the fields that are kept: 64 MB. */
   private static final int CELLS_KEPT = 16_000_000;
 
+  /** A field of no more cells is found within a tenth of a floor's tick. */
+  private static final int CELLS_AT_ONCE = 100_000;
+
   private final OccupancyGrid grid;
   private final BySize<OccupancyGrid> passable = new BySize<>();
   private final Map<Key, DistanceField> fields;
+
+  /** Those that are looked for by {@link #withoutWaiting}. */
+  private final Set<Key> soughtFields = ConcurrentHashMap.newKeySet();
 
   private record Key(Cell cell, double diameter) {}
 
@@ -43,10 +52,48 @@ public final class FloorDistances implements PathLengths {
 
   @Override
   public ToDoubleFunction<Vec2> lengthsFrom(Vec2 place, double diameter) {
-    DistanceField field =
-        fields.computeIfAbsent(
-            new Key(grid.cellAt(place), diameter),
-            key -> new DistanceField(passable(diameter), key.cell()));
+    Key key = new Key(grid.cellAt(place), diameter);
+    DistanceField known = fields.get(key);
+    return known == null ? lengths(findField(key)) : lengths(known);
+  }
+
+  /**
+   * The same for an agent: on a large floor lengths that are not known yet are those of straight
+   * lines, until the executor has found them.
+   */
+  PathLengths withoutWaiting(Executor executor) {
+    if (grid.width() * grid.height() <= CELLS_AT_ONCE) {
+      return this;
+    }
+    return (place, diameter) -> {
+      Key key = new Key(grid.cellAt(place), diameter);
+      DistanceField known = fields.get(key);
+      if (known != null) {
+        return lengths(known);
+      }
+      if (soughtFields.add(key)) {
+        executor.execute(() -> findSoughtField(key));
+      }
+      return place::distanceTo;
+    };
+  }
+
+  private void findSoughtField(Key key) {
+    try {
+      findField(key);
+    } finally {
+      soughtFields.remove(key);
+    }
+  }
+
+  /** Nobody who asks for another one waits for it. */
+  private DistanceField findField(Key key) {
+    DistanceField field = new DistanceField(passable(key.diameter()), key.cell());
+    fields.put(key, field);
+    return field;
+  }
+
+  private ToDoubleFunction<Vec2> lengths(DistanceField field) {
     return other -> length(field, grid.cellAt(other)) * grid.resolution();
   }
 

@@ -26,10 +26,14 @@ import org.toqa.web.WebTestServer;
 import org.toqa.wording.Sentence;
 
 /**
- * What has happened, and where a robot was, in a real browser. Pictures go to {@code
+ * What has happened, and where a robot was, in a real browser and over MySQL. Pictures go to {@code
  * target/screenshots}, to be looked at.
  */
 class HistoryInBrowserTest extends PagesInBrowser {
+  @Override
+  WebTestServer startServer() throws Exception {
+    return WebTestServer.startOnMySql();
+  }
 
   @Override
   List<RobotView> robots() {

@@ -18,8 +18,13 @@ import org.toqa.mission.TaskState;
 import org.toqa.web.WebTestServer;
 import org.toqa.wording.Phrase;
 
-/** Tasks are given, imported and scheduled in a real browser. */
+/** Tasks are given, imported and scheduled in a real browser, over MySQL. */
 class TaskPagesInBrowserTest extends PagesInBrowser {
+  @Override
+  WebTestServer startServer() throws Exception {
+    return WebTestServer.startOnMySql();
+  }
+
   @Test
   void aTaskIsAssignedByClickingOnTheMapAndSeenToTheEnd() {
     Page page = loggedIn(WebTestServer.MANAGER, DESK, "tasks/new");
