@@ -4,12 +4,13 @@ import java.nio.file.Path;
 import java.util.BitSet;
 import java.util.List;
 import java.util.Locale;
+import java.util.function.DoublePredicate;
 import org.toqa.geometry.Vec2;
 
 /**
  * Reads the pair of files of ROS map_server: a YAML file that names a PGM or PNG picture and says
- * how its greys are meant. Only mode {@code trinary}; a cell that the robot's map does not know is
- * occupied.
+ * how its greys are meant, in one of its modes {@code trinary}, {@code scale} and {@code raw}. What
+ * is not surely free is occupied: what the robot's map does not know, and all shades between.
  */
 public final class MapServerReader {
   private static final List<String> KEYS =
@@ -19,47 +20,51 @@ public final class MapServerReader {
 
   public static OccupancyGrid read(Path yamlFile) throws MapFormatException {
     YamlFields yaml = YamlFields.read(yamlFile, KEYS);
-    String mode = yaml.has("mode") ? yaml.text("mode") : "trinary";
-    if (!mode.equals("trinary")) {
-      throw yaml.error("mode", "only 'trinary' is supported, not '" + mode + "'.");
-    }
     double resolution = yaml.number("resolution");
     if (resolution < 0.001 || resolution > 100) {
       throw yaml.error("resolution", "metres of a cell's side, between 0.001 and 100.");
     }
-    Vec2 origin = origin(yaml);
+    List<Double> origin = origin(yaml);
+    Vec2 corner = new Vec2(origin.get(0), origin.get(1));
+    DoublePredicate isFree = freeShades(yaml);
+    GreyImage image = image(yamlFile.resolveSibling(yaml.text("image")), yaml);
+    BitSet occupied = new BitSet(image.width() * image.height());
+    for (int i = 0; i < image.width() * image.height(); i++) {
+      occupied.set(i, !isFree.test(image.shades().at(i)));
+    }
+    OccupancyGrid grid =
+        new OccupancyGrid(image.width(), image.height(), resolution, corner, occupied);
+    return TurnedGrid.turn(yamlFile, grid, origin.get(2));
+  }
+
+  /** x, y and angle of the picture's lower left corner: metres and radians, map frame. */
+  private static List<Double> origin(YamlFields yaml) throws MapFormatException {
+    List<Double> origin = yaml.numbers("origin", 3);
+    if (Math.max(Math.abs(origin.get(0)), Math.abs(origin.get(1))) > MapLimits.FARTHEST) {
+      throw yaml.error(
+          "origin", "x and y are metres, at most " + (long) MapLimits.FARTHEST + " from zero.");
+    }
+    if (Math.abs(origin.get(2)) > 2 * Math.PI) {
+      throw yaml.error("origin", "the third number is an angle in radians, from -6.283 to 6.283.");
+    }
+    return origin;
+  }
+
+  /** Which shades are free; a transparent pixel is NaN, and so not below any threshold. */
+  private static DoublePredicate freeShades(YamlFields yaml) throws MapFormatException {
     boolean negate = negate(yaml);
     double occupiedAbove = threshold(yaml, "occupied_thresh");
     double freeBelow = threshold(yaml, "free_thresh");
     if (freeBelow > occupiedAbove) {
       throw yaml.error("free_thresh", "must not be larger than occupied_thresh.");
     }
-    GreyImage image = image(yamlFile.resolveSibling(yaml.text("image")), yaml);
-    BitSet occupied = new BitSet(image.width() * image.height());
-    for (int i = 0; i < image.width() * image.height(); i++) {
-      double shade = image.shades().at(i);
-      double occupancy = negate ? shade : 1 - shade;
-      // a transparent pixel is NaN: not below any threshold, so occupied
-      occupied.set(i, !(occupancy < freeBelow));
-    }
-    return new OccupancyGrid(image.width(), image.height(), resolution, origin, occupied);
-  }
-
-  private static Vec2 origin(YamlFields yaml) throws MapFormatException {
-    List<Double> origin = yaml.numbers("origin", 3);
-    if (origin.get(2) != 0) {
-      throw yaml.error(
-          "origin",
-          "a map turned by "
-              + origin.get(2)
-              + " rad is not supported; turn the picture"
-              + " and write 0.");
-    }
-    if (Math.max(Math.abs(origin.get(0)), Math.abs(origin.get(1))) > MapLimits.FARTHEST) {
-      throw yaml.error(
-          "origin", "x and y are metres, at most " + (long) MapLimits.FARTHEST + " from zero.");
-    }
-    return new Vec2(origin.get(0), origin.get(1));
+    String mode = yaml.has("mode") ? yaml.text("mode") : "trinary";
+    return switch (mode) {
+      case "trinary", "scale" -> shade -> (negate ? shade : 1 - shade) < freeBelow;
+      // the pixel's value is how sure it is, in percent; above 100 it is not known
+      case "raw" -> shade -> shade * 255 / 100 < freeBelow;
+      default -> throw yaml.error("mode", "is 'trinary', 'scale' or 'raw', not '" + mode + "'.");
+    };
   }
 
   private static boolean negate(YamlFields yaml) throws MapFormatException {

@@ -1,6 +1,8 @@
 package org.toqa.grid;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.toqa.grid.MapFiles.assertRefused;
 
 import java.awt.Color;
@@ -98,6 +100,50 @@ class MapServerReaderTest {
   }
 
   @ParameterizedTest
+  @CsvSource({
+    "trinary, 255 230 100 0, ..##",
+    "scale, 255 230 100 0, ..##",
+    "raw, 0 10 60 200, ..##",
+    "raw, 255 18 20 100, #.##"
+  })
+  void greysAreReadAsTheModeSays(String mode, String greys, String cells) throws IOException {
+    files.write("floor.pgm", "P2 4 1 255 " + greys);
+    OccupancyGrid grid =
+        MapServerReader.read(files.write("floor.yaml", MapFiles.YAML + "mode: " + mode + "\n"));
+    assertEquals(OccupancyGrid.parse(cells).occupied(), grid.occupied());
+  }
+
+  /** A quarter of a turn: the picture's bottom row is the map's right column, from below. */
+  @Test
+  void pictureThatIsTurnedByARightAngleIsTheSameFloor() throws IOException {
+    OccupancyGrid grid =
+        MapServerReader.read(
+            files.write("floor.yaml", MapFiles.YAML.replace("2.0, 0.0]", "2.0, 1.5707963268]")));
+    OccupancyGrid expected = OccupancyGrid.parse("#.", "#.", "..");
+    assertEquals(expected.occupied(), grid.occupied());
+    assertEquals(2, grid.width());
+    assertEquals(0, grid.origin().distanceTo(new Vec2(0, 2)), 1e-9);
+  }
+
+  /** Walls of a turned picture: no point in one of them is in a free cell, by any angle. */
+  @ParameterizedTest
+  @ValueSource(doubles = {0.3, -1, 2.5, 6})
+  void noPointInAWallOfATurnedPictureIsFree(double angle) throws IOException {
+    files.write("floor.pgm", "P2 9 3 255 " + "254 ".repeat(13) + "0 " + "254 ".repeat(13));
+    OccupancyGrid grid =
+        MapServerReader.read(
+            files.write("floor.yaml", MapFiles.YAML.replace("2.0, 0.0]", "2.0, " + angle + "]")));
+    Vec2 corner = new Vec2(1, 2);
+    for (double along = 0.01; along < 1; along += 0.05) {
+      for (double across = 0.01; across < 1; across += 0.05) {
+        Vec2 inWall = new Vec2((4 + along) * 0.5, (1 + across) * 0.5);
+        assertFalse(grid.isFree(corner.plus(inWall.rotated(angle))), "at " + inWall);
+      }
+    }
+    assertTrue(grid.isFree(corner.plus(new Vec2(1, 0.75).rotated(angle))));
+  }
+
+  @ParameterizedTest
   @CsvSource(
       delimiter = '|',
       textBlock =
@@ -107,12 +153,12 @@ class MapServerReaderTest {
           resolution: 0.5           | resolution: half           | finite
           resolution: 0.5           | resolutoin: 0.5            | did you mean 'resolution'
           resolution: 0.5           |                            | missing
-          origin: [1.0, 2.0, 0.0]   | origin: [1.0, 2.0, 1.57]   | turn the picture
+          origin: [1.0, 2.0, 0.0]   | origin: [1.0, 2.0, 90]     | radians
           origin: [1.0, 2.0, 0.0]   | origin: [1.0, 2.0]         | list of 3
           origin: [1.0, 2.0, 0.0]   | origin: [.inf, 2.0, 0]     | finite
           origin: [1.0, 2.0, 0.0]   | origin: [1e30, 2.0, 0]     | 100000
           negate: 0                 | negate: 2                  | dark is occupied
-          negate: 0                 | mode: scale                | trinary
+          negate: 0                 | mode: grey                 | trinary
           free_thresh: 0.196        | free_thresh: 0.9           | larger than occupied_thresh
           free_thresh: 0.196        | free_thresh: -1            | between 0 and 1
           image: floor.pgm          | image: floor.bmp           | .pgm or .png
