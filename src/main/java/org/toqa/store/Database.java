@@ -12,6 +12,7 @@ import java.sql.SQLException;
 import java.time.Duration;
 import java.util.List;
 import java.util.OptionalLong;
+import java.util.concurrent.CompletionStage;
 import javax.sql.DataSource;
 import org.flywaydb.core.Flyway;
 import org.h2.api.ErrorCode;
@@ -60,6 +61,7 @@ public final class Database implements AutoCloseable {
   private final @Nullable PeriodicWork compaction;
 
   private final boolean isMySql;
+  private final ClosedH2 closed = new ClosedH2();
 
   private record Pool(HikariDataSource connections, Jdbi jdbi) implements AutoCloseable {
     static Pool of(HikariConfig config) {
@@ -81,16 +83,22 @@ public final class Database implements AutoCloseable {
    * @param readLimit what a statement of a reader may take
    */
   Database(String url, String user, String password, Duration readLimit) {
-    fleet = Pool.of(config(url, user, password, "toqa", FLEET_CONNECTIONS, WRITE_LIMIT));
-    readers = Pool.of(config(url, user, password, "toqa-readers", READER_CONNECTIONS, readLimit));
-    sessions =
-        Pool.of(config(url, user, password, "toqa-sessions", SESSION_CONNECTIONS, WRITE_LIMIT));
     isMySql = url.startsWith(MYSQL);
+    fleet = pool(config(url, user, password, "toqa", FLEET_CONNECTIONS, WRITE_LIMIT));
+    readers = pool(config(url, user, password, "toqa-readers", READER_CONNECTIONS, readLimit));
+    sessions = pool(config(url, user, password, "toqa-sessions", SESSION_CONNECTIONS, WRITE_LIMIT));
     compactor = H2Url.isOwnFile(url) ? new H2Compactor(fleet.jdbi()) : null;
     compaction =
         compactor == null
             ? null
             : new PeriodicWork("h2-compactor", H2Compactor.LOOK_INTERVAL, compactor::look);
+  }
+
+  private Pool pool(HikariConfig config) {
+    if (!isMySql) {
+      config.setExceptionOverride(closed);
+    }
+    return Pool.of(config);
   }
 
   /** Whether that is the JDBC URL of a kind of database that can be used. */
@@ -220,6 +228,16 @@ public final class Database implements AutoCloseable {
   /** For users and their sessions, which every request needs. */
   public Jdbi sessions() {
     return sessions.jdbi();
+  }
+
+  /** Whether H2 has closed its file by itself, since it cannot write it: nothing can be stored. */
+  public boolean isClosedByItself() {
+    return closed.isFound();
+  }
+
+  /** Completes when that is found out. */
+  public CompletionStage<Void> whenClosedByItself() {
+    return closed.whenFound();
   }
 
   /** Tells how the pools of connections do from now on. */

@@ -10,6 +10,7 @@ import org.h2.mvstore.MVStoreException;
 import org.h2.mvstore.RandomAccessStore;
 import org.jdbi.v3.core.Handle;
 import org.jdbi.v3.core.Jdbi;
+import org.jdbi.v3.core.JdbiException;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -79,6 +80,9 @@ final class H2Compactor implements AutoCloseable {
   private int looks;
   private int idleIntervals;
 
+  /** Whether the last turn failed, which is said once. */
+  private boolean isFailing;
+
   /** A version of all data that is on the disk, and counts as used. */
   private record ForcedVersion(MVStore store, TxCounter version) {
     void giveUp() {
@@ -112,8 +116,14 @@ final class H2Compactor implements AutoCloseable {
   private void compact() {
     try {
       jdbi.useHandle(h -> compact(h, file(h)));
-    } catch (SQLException | MVStoreException e) {
-      log.warn("The database's file could not be compacted; it is tried again.", e);
+      isFailing = false;
+    } catch (SQLException | MVStoreException | JdbiException e) {
+      if (!isFailing) {
+        log.warn(
+            "The database's file could not be compacted; it is tried again: {}",
+            Database.rootCauseMessage(e));
+      }
+      isFailing = true;
     }
   }
 

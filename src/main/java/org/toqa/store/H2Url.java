@@ -25,6 +25,7 @@ final class H2Url {
   private static final Map<String, String> DURABILITY =
       Map.of(
           "WRITE_DELAY", "0",
+          "DB_CLOSE_ON_EXIT", "FALSE", // the server closes it, as its last part
           "RETENTION_TIME", String.valueOf(H2Compactor.RETENTION.toMillis()),
           "TRACE_LEVEL_FILE", "0"); // what goes wrong stands in our log
 

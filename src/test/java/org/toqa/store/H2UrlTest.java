@@ -8,15 +8,12 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
 class H2UrlTest {
-  private static final String DIALECT =
-      ";CASE_INSENSITIVE_IDENTIFIERS=TRUE;DATABASE_TO_LOWER=TRUE;MODE=MySQL";
-
   @Test
   void aFileLosesNoCommittedRow() {
     assertEquals(
-        "jdbc:h2:file:/data/toqa"
-            + DIALECT
-            + ";RETENTION_TIME=5000;TRACE_LEVEL_FILE=0;WRITE_DELAY=0",
+        "jdbc:h2:file:/data/toqa;CASE_INSENSITIVE_IDENTIFIERS=TRUE;DATABASE_TO_LOWER=TRUE"
+            + ";DB_CLOSE_ON_EXIT=FALSE;MODE=MySQL;RETENTION_TIME=5000;TRACE_LEVEL_FILE=0"
+            + ";WRITE_DELAY=0",
         H2Url.withSettings(H2Url.ofFile(Path.of("/data/toqa"))));
   }
 
@@ -24,7 +21,7 @@ class H2UrlTest {
   void whatTheUrlSaysItselfStays() {
     assertEquals(
         "jdbc:h2:./x;mode=MySQL;write_delay=500;CASE_INSENSITIVE_IDENTIFIERS=TRUE"
-            + ";DATABASE_TO_LOWER=TRUE;RETENTION_TIME=5000;TRACE_LEVEL_FILE=0",
+            + ";DATABASE_TO_LOWER=TRUE;DB_CLOSE_ON_EXIT=FALSE;RETENTION_TIME=5000;TRACE_LEVEL_FILE=0",
         H2Url.withSettings("jdbc:h2:./x;mode=MySQL;write_delay=500"));
   }
 

@@ -175,6 +175,11 @@ public final class FleetServer implements AutoCloseable {
     parts.push(clock);
     fleet.addCheck(
         () -> clock.isSound() ? Optional.empty() : Optional.of(Phrase.CLOCK_STANDS.with()));
+    fleet.addCheck(
+        () ->
+            database.isClosedByItself()
+                ? Optional.of(Phrase.DATABASE_CLOSED.with())
+                : Optional.empty());
     fleet.addCheck(MemoryWatch.ofThisProcess()::check);
     SessionStore sessions =
         new JdbiSessionStore(
@@ -242,6 +247,11 @@ public final class FleetServer implements AutoCloseable {
             .thenApply(ended -> Phrase.FLEET_ENDED.with().english())
             .applyToEither(
                 clock.whenBroken().thenApply(error -> "The clock has ended by " + error),
+                Function.identity())
+            .applyToEither(
+                database
+                    .whenClosedByItself()
+                    .thenApply(closed -> Phrase.DATABASE_CLOSED.with().english()),
                 Function.identity());
     return new FleetServer(
         configuration, database, clock, services, bodies, simulated, failed, parts);

@@ -11,12 +11,16 @@ import java.net.http.HttpRequest;
 import java.net.http.HttpResponse;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.sql.Connection;
+import java.sql.DriverManager;
 import java.util.EnumMap;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.TimeUnit;
+import org.h2.engine.SessionLocal;
+import org.h2.jdbc.JdbcConnection;
 import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -54,6 +58,26 @@ class FailedServerTest {
             });
 
     assertEquals(1, code);
+  }
+
+  /** As H2 does where the disk is full. */
+  @Test
+  void itsProcessEndsWhenItsDatabaseHasClosedItsFile() throws Exception {
+    int code =
+        run(
+            (toqa, address, stop) -> {
+              String file = Database.fileUrl(folder.resolve("toqa"));
+              try (Connection connection = DriverManager.getConnection(file)) {
+                ((SessionLocal) connection.unwrap(JdbcConnection.class).getSession())
+                    .getDatabase()
+                    .shutdownImmediately();
+              }
+              stop.await();
+              return 0;
+            });
+
+    assertEquals(1, code);
+    assertEquals(0, run((_, _, _) -> 0), "it starts again");
   }
 
   /** What a killed process leaves is what its files were. */
