@@ -7,7 +7,7 @@
   <c:otherwise>
     <fmt:formatNumber value="${pose.x}" minFractionDigits="2" maxFractionDigits="2" var="x"/>
     <fmt:formatNumber value="${pose.y}" minFractionDigits="2" maxFractionDigits="2" var="y"/>
-    <fmt:formatNumber value="${pose.theta * 57.29577951308232}" maxFractionDigits="0" var="heading"/>
+    <fmt:formatNumber value="${(Math.round(pose.theta * 57.29577951308232) + 360) % 360}" maxFractionDigits="0" var="heading"/>
     <span data-live-pose><fmt:message key="common.position"><fmt:param value="${x}"/><fmt:param value="${y}"/></fmt:message><fmt:message key="common.comma"/><fmt:message key="robot.heading.degrees"><fmt:param value="${heading}"/></fmt:message></span>
   </c:otherwise>
 </c:choose>

@@ -69,7 +69,7 @@
         <div class="grid">
           <div><t:field name="name" label="robots.add.name" hint="robots.add.name.hint" latin="true"/></div>
           <div><t:field name="host" label="robots.add.host" hint="robots.add.host.hint" latin="true"/></div>
-          <div><t:field name="port" label="robots.add.port" inputmode="numeric"/></div>
+          <div><t:field name="port" label="robots.add.port" inputmode="numeric" value="7275"/></div>
         </div>
         <div class="grid">
           <div><t:field name="maxLoad" label="robots.add.maxLoad" inputmode="decimal"/></div>

@@ -18,7 +18,7 @@
       </div>
       <t:state of="task" state="${task.state}"/>
     </div>
-    <c:if test="${not empty task.waitingFor}"><p class="notice"><strong><fmt:message key="task.waitingFor"/></strong>${" "}<t:said sentence="${task.waitingFor}"/></p></c:if>
+    <c:if test="${not empty task.waitingFor}"><p class="notice"><t:said sentence="${task.waitingFor}"/></p></c:if>
     <c:if test="${not empty task.late}"><p class="notice bad"><strong><fmt:message key="task.late"/></strong>${" "}<t:said sentence="${task.late}"/></p></c:if>
     <c:if test="${not empty task.loadAt}"><p class="notice"><strong><fmt:message key="task.loadAt"/></strong>${" "}<t:place place="${task.loadAt}"/></p></c:if>
     <c:if test="${task.held}"><p class="notice"><fmt:message key="task.held"/></p></c:if>

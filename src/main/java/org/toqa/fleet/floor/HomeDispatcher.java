@@ -37,7 +37,9 @@ final class HomeDispatcher {
       return Phrase.HAS_NO_HOME.with(robot.name());
     }
     if (robot.hold.isHeld()) {
-      return Phrase.LET_IT_GO_ON_FIRST.with(robot.name());
+      return robot.settings.isHeld()
+          ? Phrase.LET_IT_GO_ON_FIRST.with(robot.name())
+          : robot.hold.reason();
     }
     return robot.isFit() ? null : Phrase.CANNOT_DRIVE_NOW.with(robot.name());
   }

@@ -1,6 +1,7 @@
 package org.toqa.fleet.floor;
 
 import java.util.List;
+import java.util.Optional;
 import org.apache.pekko.actor.typed.ActorRef;
 import org.apache.pekko.pattern.StatusReply;
 import org.jspecify.annotations.Nullable;
@@ -10,11 +11,16 @@ import org.toqa.fleet.EventRecord;
 import org.toqa.fleet.PendingResume;
 import org.toqa.fleet.RobotView;
 import org.toqa.fleet.robot.RobotMessage;
+import org.toqa.geometry.Pose;
+import org.toqa.geometry.Vec2;
 import org.toqa.wording.Phrase;
 import org.toqa.wording.Sentence;
 
 /** Operator commands to a floor's robots: to hold, to go home, to be out of service, to be told. */
 final class OperatorCommandHandler {
+  /** How far a dock looks, metres: what it corrects is less. */
+  private static final double DOCK_RANGE = 0.5;
+
   private final FloorState state;
   private final FloorReporter reports;
   private final FloorMissions missions;
@@ -84,7 +90,7 @@ final class OperatorCommandHandler {
   }
 
   private @Nullable Sentence objectionToRemoval(FloorRobot robot) {
-    if (robot.record().simulated()) {
+    if (robot.record().simulated() && robot.reported.isConnected()) {
       return Phrase.SIMULATED_CANNOT_BE_REMOVED.with(robot.name());
     }
     if (robot.settings.isInService()) {
@@ -115,12 +121,34 @@ final class OperatorCommandHandler {
     if (!state.floor.grid().isFree(m.pose().position())) {
       return new Answer.Rejected<>("x", Phrase.CANNOT_STAND_THERE.with());
     }
+    Optional<FloorRobot> other = otherAt(robot, m.pose().position());
+    if (other.isPresent()) {
+      return new Answer.Rejected<>("x", Phrase.LOCATE_TAKEN.with(other.get().name()));
+    }
     robot.agent.tell(new RobotMessage.Locate(m.pose()));
     Sentence text = Phrase.ROBOT_LOCATED.with(m.user(), m.robot());
     state.addToHistory(
         new EventRecord(
             state.clock.instant(), EventKind.ROBOT_LOCATED, null, m.robot(), m.user(), text));
     return new Answer.Accepted<>(reports.view(robot));
+  }
+
+  /** Who says that it stands where the robot is said to be; what a dock corrects does not count. */
+  private Optional<FloorRobot> otherAt(FloorRobot robot, Vec2 place) {
+    Pose before = robot.reported.pose();
+    if (before != null && before.position().distanceTo(place) < DOCK_RANGE) {
+      return Optional.empty();
+    }
+    return state.robots.values().stream()
+        .filter(other -> other != robot && other.settings.isInService())
+        .filter(other -> other.reported.isConnected() && isWithinReach(robot, other, place))
+        .findFirst();
+  }
+
+  private static boolean isWithinReach(FloorRobot robot, FloorRobot other, Vec2 place) {
+    Pose pose = other.reported.pose();
+    double apart = (robot.reported.footprint() + other.reported.footprint()) / 2;
+    return pose != null && pose.position().distanceTo(place) < apart;
   }
 
   void holdRobot(FloorMessage.HoldRobot m) {

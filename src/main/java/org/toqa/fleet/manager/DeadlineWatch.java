@@ -74,6 +74,12 @@ final class DeadlineWatch {
   }
 
   private static Sentence text(Duration duration) {
+    if (duration.toDays() > 0) {
+      return Phrase.DAYS_AND_HOURS.with(duration.toDays(), duration.toHoursPart());
+    }
+    if (duration.toHours() > 0) {
+      return Phrase.HOURS_AND_MINUTES.with(duration.toHours(), duration.toMinutesPart());
+    }
     return duration.toMinutes() == 0
         ? Phrase.SECONDS.with(Math.max(1, duration.toSeconds()))
         : Phrase.MINUTES_AND_SECONDS.with(duration.toMinutes(), duration.toSecondsPart());

@@ -87,7 +87,9 @@ record CsvFields(
       return new Where.Point(
           new Vec2(rules().coordinate(x, number(x)), rules().coordinate(y, number(y))));
     }
-    if (station == null || hasPoint) {
+    if (station == null) {
+      errors.add(end, texts.get("error.import.place.missing", end));
+    } else if (hasPoint) {
       errors.add(end, texts.get("error.import.place", end));
     }
     return new Where.Station(station == null ? "" : station);
