@@ -418,6 +418,7 @@ public final class ScriptedRobot {
         List.of(),
         condition.obstacles,
         null,
+        null,
         condition.faults(formation.stopReason()));
   }
 }

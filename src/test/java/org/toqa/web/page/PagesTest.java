@@ -297,7 +297,7 @@ class PagesTest extends WebServerTest {
                 new Telemetry(
                     said.pose(),
                     said.battery(),
-                    new Readings(0.23, 0.0, List.of(0.45, 0.8, 0.1), 0.03),
+                    new Readings(0.23, 0.0, List.of(0.45, 0.8, 0.1), 0.03, 4.2),
                     List.of(),
                     said.lastSeen()))
             .withUnreachable(Phrase.NOBODY_LISTENS.with("r8", "10.0.0.7:7277"));
