@@ -8,9 +8,9 @@ import java.util.Map;
 import java.util.OptionalDouble;
 import java.util.Set;
 import org.jspecify.annotations.Nullable;
+import org.toqa.agent.chassis.SharedLoad;
 import org.toqa.geometry.Pose;
 import org.toqa.geometry.Vec2;
-import org.toqa.link.message.ServerMessage.CarriedPart;
 
 /**
  * A rigid load as it truly lies on several robots. People lay it on them where it stands, turned as
@@ -42,8 +42,8 @@ final class CarriedLoad {
    */
   private record Support(double share, Vec2 point, @Nullable Vec2 touch) {}
 
-  CarriedLoad(CarriedPart part) {
-    weight = part.load();
+  CarriedLoad(SharedLoad part) {
+    weight = part.weight();
     at = new Pose(part.middle().x(), part.middle().y(), 0);
   }
 
@@ -52,7 +52,7 @@ final class CarriedLoad {
    *
    * @param truth where the robot really is, map frame
    */
-  void put(String robot, CarriedPart part, Pose truth) {
+  void put(String robot, SharedLoad part, Pose truth) {
     if (told.contains(robot)) {
       settle(); // all have told where they were a tick ago, but for who is silent
     }

@@ -28,8 +28,8 @@ final class CarriedLoads {
     if (load != null) {
       tasks.put(robot, load.task());
       loads
-          .computeIfAbsent(load.task(), _ -> new CarriedLoad(load.part()))
-          .put(robot, load.part(), truth);
+          .computeIfAbsent(load.task(), _ -> new CarriedLoad(load))
+          .put(robot, load, truth);
     }
   }
 

@@ -77,7 +77,7 @@ class AllocatorContractTest {
       List<Decision> decisions = allocator.allocate(problem);
       Set<String> chosen = new HashSet<>();
       decisions.forEach(d -> chosen.addAll(Outcome.robots(d)));
-      if (problem.waiting().stream().anyMatch(t -> TeamAllocator.isForSeveral(problem, t))) {
+      if (problem.waiting().stream().anyMatch(t -> TeamSize.isForSeveral(problem, t))) {
         continue; // robots may be kept for it
       }
       for (Decision decision : decisions) {

@@ -9,7 +9,6 @@ import org.junit.jupiter.api.Test;
 import org.toqa.agent.chassis.SharedLoad;
 import org.toqa.geometry.Pose;
 import org.toqa.geometry.Vec2;
-import org.toqa.link.message.ServerMessage.CarriedPart;
 
 /** A load of 12 kg whose middle is at (5, 5), and robots that hold it 0.3 m ahead of them. */
 class CarriedLoadsTest {
@@ -89,7 +88,7 @@ class CarriedLoadsTest {
   }
 
   private static SharedLoad part(double share) {
-    return new SharedLoad(7, new CarriedPart(share, 12, AHEAD, new Vec2(5, 5)));
+    return new SharedLoad(7, share, 12, AHEAD, new Vec2(5, 5));
   }
 
   private void assertShares(double ofA, double ofB) {

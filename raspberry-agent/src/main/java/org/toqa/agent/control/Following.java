@@ -27,7 +27,7 @@ record Following(FormationFollower follower) implements Activity {
   @Override
   public Optional<SharedLoad> sharedLoad() {
     return Optional.ofNullable(follower.order().carries())
-        .map(part -> new SharedLoad(follower.order().task(), part));
+        .map(part -> SharedLoad.of(follower.order().task(), part));
   }
 
   @Override

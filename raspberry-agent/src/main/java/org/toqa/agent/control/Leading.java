@@ -20,7 +20,7 @@ record Leading(FormationLeader leader, Optional<DriveRun> drive) implements Acti
   @Override
   public Optional<SharedLoad> sharedLoad() {
     return Optional.ofNullable(leader.order().carries())
-        .map(part -> new SharedLoad(leader.order().task(), part));
+        .map(part -> SharedLoad.of(leader.order().task(), part));
   }
 
   @Override
