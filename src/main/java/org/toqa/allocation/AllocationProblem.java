@@ -63,6 +63,12 @@ public record AllocationProblem(
         now, low, high, terrain, nextWaiting, givenTasks, nextRobots, placesInUse, received);
   }
 
+  /** The same, with no robots in teams that cannot go sideways. */
+  public AllocationProblem forOmnidirectional() {
+    return withWaiting(
+        waiting.stream().map(AllocationTask::forOmnidirectional).toList(), robots);
+  }
+
   /** All robots, those busy that these decisions give something to. */
   List<Candidate> robotsAfter(List<Decision> decisions) {
     Map<String, Long> taken = new HashMap<>();

@@ -94,7 +94,7 @@ final class OpenTasks {
     List<Quote> parts = new ArrayList<>();
     for (Candidate robot : problem.freeRobots()) {
       Quote quote = quotes.of(task.partFor(robot), robot);
-      if (quote.isPossible() && !kept.contains(robot.robot())) {
+      if (task.allowsInTeam(robot) && quote.isPossible() && !kept.contains(robot.robot())) {
         able.add(robot);
         parts.add(quote);
       }

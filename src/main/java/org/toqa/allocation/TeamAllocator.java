@@ -143,7 +143,7 @@ public final class TeamAllocator implements Allocator {
       List<Member> able = new ArrayList<>();
       for (Candidate robot : problem.freeRobots()) {
         Quote quote = quotes.of(task.partFor(robot), robot);
-        if (quote.isPossible() && !taken.containsKey(robot.robot())) {
+        if (task.allowsInTeam(robot) && quote.isPossible() && !taken.containsKey(robot.robot())) {
           able.add(new Member(robot, quote));
         }
       }

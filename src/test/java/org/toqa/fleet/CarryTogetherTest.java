@@ -119,9 +119,9 @@ class CarryTogetherTest {
   /** They take wide corners, and are allowed to be farther off their places. */
   @Test
   @Timeout(300)
-  void twoRobotsThatCannotGoSidewaysCarryTogether() throws Exception {
-    open(2, DriveKind.DIFFERENTIAL);
-    untilDone(live().submit(8, "A", "C"));
+  void threeRobotsThatCannotGoSidewaysCarryTogether() throws Exception {
+    open(3, DriveKind.DIFFERENTIAL);
+    untilDone(live().submit(12, "A", "C"));
   }
 
   /** Longer than a robot may stand without a word. */

@@ -35,6 +35,7 @@ import org.toqa.grid.FloorMap;
 import org.toqa.grid.OccupancyGrid;
 import org.toqa.mission.Mission;
 import org.toqa.mission.TransportTask;
+import org.toqa.wording.Phrase;
 import org.toqa.wording.Sentence;
 
 /**
@@ -71,6 +72,12 @@ final class AllocationRounds {
   /** Tasks for several robots that had no room round the load; tried again after a while. */
   private final Map<Long, NoRoom> tasksWithoutRoom = new HashMap<>();
 
+  /**
+   * Tasks for which a team with a robot that cannot go sideways had no room, and why: they are for
+   * teams of others.
+   */
+  private final Map<Long, Sentence> forOmnidirectional = new HashMap<>();
+
   /** Floors with a running round. */
   private final Set<String> deciding = new HashSet<>();
 
@@ -104,6 +111,7 @@ final class AllocationRounds {
    */
   void taskEdited(TransportTask before) {
     tasksWithoutRoom.remove(before.id());
+    forOmnidirectional.remove(before.id());
     reasons.getOrDefault(before.floor(), new HashMap<>()).remove(before.id());
     if (deciding.contains(before.floor())) {
       editedInRound.computeIfAbsent(before.floor(), _ -> new HashSet<>()).add(before.id());
@@ -167,15 +175,20 @@ final class AllocationRounds {
     double strongestOfAll = robotsHere.stream().mapToDouble(Candidate::maxLoad).max().orElse(0);
     boolean isAnyFree = strongest > 0;
     List<AllocationTask> jobs =
-        fleet.queue.firstJobs(
-            floor.name(),
-            queued ->
-                fleet.legs.reasonToWait(queued.task()).isEmpty()
-                    && (queued.task().load() <= strongest
-                        || (isAnyFree
-                            && queued.task().load() > strongestOfAll
-                            && !tasksWithoutRoom.containsKey(queued.task().id()))),
-            FleetState.TASKS_CONSIDERED);
+        fleet
+            .queue
+            .firstJobs(
+                floor.name(),
+                queued ->
+                    fleet.legs.reasonToWait(queued.task()).isEmpty()
+                        && (queued.task().load() <= strongest
+                            || (isAnyFree
+                                && queued.task().load() > strongestOfAll
+                                && !tasksWithoutRoom.containsKey(queued.task().id()))),
+                FleetState.TASKS_CONSIDERED)
+            .stream()
+            .map(job -> forOmnidirectional.containsKey(job.id()) ? job.forOmnidirectional() : job)
+            .toList();
     if (jobs.isEmpty()) {
       reasons.remove(floor.name());
       fleet.changed = true;
@@ -301,7 +314,8 @@ final class AllocationRounds {
                 .get(id)
                 .ifPresent(queued -> assign(queued, chosen, why, m.teams().get(id), free));
         case Decision.Unassigned(long id, Sentence why, List<String> drained) -> {
-          waiting.put(id, why);
+          Sentence noRoom = forOmnidirectional.get(id);
+          waiting.put(id, noRoom == null ? why : Phrase.WAITS_FOR_OMNIDIRECTIONAL.with(noRoom));
           if (!drained.isEmpty()) {
             floor.tell(new FloorMessage.RechargeRobots(drained, id));
           }
@@ -309,6 +323,7 @@ final class AllocationRounds {
       }
     }
     tasksWithoutRoom.keySet().removeIf(task -> fleet.queue.get(task).isEmpty());
+    forOmnidirectional.keySet().removeIf(task -> fleet.queue.get(task).isEmpty());
     reasons.put(m.floor(), waiting);
   }
 
@@ -340,7 +355,9 @@ final class AllocationRounds {
                 && team.isAbout(mission, team(fleet.candidates(mission.task().floor()), chosen)));
     Optional<Sentence> objection =
         team != null && isTeamKnown ? team.objection() : Optional.empty();
-    if (objection.isPresent()) {
+    if (objection.isPresent() && requireNonNull(team).question().hasDifferential()) {
+      forOmnidirectional.put(mission.id(), objection.get());
+    } else if (objection.isPresent()) {
       tasksWithoutRoom.put(
           mission.id(), new NoRoom(objection.get(), fleet.clock.instant().plus(ROOM_RETRY)));
     }
