@@ -65,8 +65,7 @@ public record AllocationProblem(
 
   /** The same, with no robots in teams that cannot go sideways. */
   public AllocationProblem forOmnidirectional() {
-    return withWaiting(
-        waiting.stream().map(AllocationTask::forOmnidirectional).toList(), robots);
+    return withWaiting(waiting.stream().map(AllocationTask::forOmnidirectional).toList(), robots);
   }
 
   /** All robots, those busy that these decisions give something to. */

@@ -17,12 +17,7 @@ import org.toqa.geometry.Vec2;
  * @param isForOmnidirectional whether a group with robots that cannot go sideways has no room
  */
 public record AllocationTask(
-    long id,
-    double load,
-    Vec2 start,
-    Vec2 goal,
-    Instant waitsFrom,
-    boolean isForOmnidirectional) {
+    long id, double load, Vec2 start, Vec2 goal, Instant waitsFrom, boolean isForOmnidirectional) {
 
   public AllocationTask(long id, double load, Vec2 start, Vec2 goal, Instant waitsFrom) {
     this(id, load, start, goal, waitsFrom, false);

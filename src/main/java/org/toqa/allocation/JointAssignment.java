@@ -87,9 +87,7 @@ final class JointAssignment {
   private void branch(TeamChoices choices) {
     if (seen.add(choices)) {
       fillings++;
-      table
-          .fill(choices)
-          .ifPresent(filling -> open.add(new Node(choices, filling, fillings)));
+      table.fill(choices).ifPresent(filling -> open.add(new Node(choices, filling, fillings)));
     }
   }
 
@@ -119,8 +117,7 @@ final class JointAssignment {
     int task = table.firstTeam() + team;
     return IntStream.range(0, table.taskCount())
         .filter(other -> other != task && table.holder(other).isEmpty())
-        .anyMatch(
-            other -> !filling.robots().get(other).isEmpty() && table.isConflict(task, other));
+        .anyMatch(other -> !filling.robots().get(other).isEmpty() && table.isConflict(task, other));
   }
 
   /** One after the other has the nearest robots that are left. */
@@ -139,8 +136,7 @@ final class JointAssignment {
         chosen.add(i);
         members.forEach(robot -> taken.add(robot.robot()));
         for (int robot = 0; robot < table.robotCount(); robot++) {
-          choices =
-              members.contains(table.robot(robot)) ? choices : choices.excluding(i, robot);
+          choices = members.contains(table.robot(robot)) ? choices : choices.excluding(i, robot);
         }
       }
     }

@@ -64,10 +64,8 @@ public final class OptimalAllocator implements Allocator {
                 table.quote(task, robot).approach(),
                 problem.waiting().size(),
                 problem.freeRobots().size());
-        Sentence why =
-            holder.map(from -> Phrase.TAKEN_OVER.with(least, from)).orElse(least);
-        decisions.add(
-            new Decision.Assigned(table.task(task).id(), List.of(chosen.robot()), why));
+        Sentence why = holder.map(from -> Phrase.TAKEN_OVER.with(least, from)).orElse(least);
+        decisions.add(new Decision.Assigned(table.task(task).id(), List.of(chosen.robot()), why));
       }
     }
 

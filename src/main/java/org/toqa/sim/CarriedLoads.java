@@ -27,9 +27,7 @@ final class CarriedLoads {
     }
     if (load != null) {
       tasks.put(robot, load.task());
-      loads
-          .computeIfAbsent(load.task(), _ -> new CarriedLoad(load))
-          .put(robot, load, truth);
+      loads.computeIfAbsent(load.task(), _ -> new CarriedLoad(load)).put(robot, load, truth);
     }
   }
 

@@ -32,10 +32,7 @@ final class SupportForces {
       double[] borne = balance(points, planned, weight, bearing);
       int[] tried = bearing;
       int[] pushing =
-          IntStream.range(0, tried.length)
-              .filter(i -> borne[i] > 0)
-              .map(i -> tried[i])
-              .toArray();
+          IntStream.range(0, tried.length).filter(i -> borne[i] > 0).map(i -> tried[i]).toArray();
       if (pushing.length == bearing.length) {
         for (int i = 0; i < bearing.length; i++) {
           forces[bearing[i]] = borne[i];

@@ -242,7 +242,8 @@ class AllocatorContractTest {
 
   private static Candidate sized(String name, double diameter, double speed, double x) {
     Vec2 place = new Vec2(x, 5);
-    return new Candidate(name, 5, diameter, speed, true, place, place, 1.0, Availability.FREE, null);
+    return new Candidate(
+        name, 5, diameter, speed, true, place, place, 1.0, Availability.FREE, null);
   }
 
   @ParameterizedTest
@@ -273,7 +274,8 @@ class AllocatorContractTest {
         List.of(job(1, 1, 40)),
         List.of(),
         List.of(
-            new Candidate("r1", 5, 0.255, 0.25, true, place, place, battery, Availability.FREE, null)),
+            new Candidate(
+                "r1", 5, 0.255, 0.25, true, place, place, battery, Availability.FREE, null)),
         List.of());
   }
 

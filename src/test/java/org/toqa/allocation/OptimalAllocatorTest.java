@@ -75,7 +75,9 @@ class OptimalAllocatorTest {
         decisions.stream().collect(toMap(Decision::task, Outcome::robots)));
   }
 
-  /** Of all ways to deal them out, tried one by one, none has more robots at work, or costs less. */
+  /**
+   * Of all ways to deal them out, tried one by one, none has more robots at work, or costs less.
+   */
   @Test
   void noWayToGiveThemOutIsBetter() {
     int together = 0;

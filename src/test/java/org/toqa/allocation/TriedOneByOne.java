@@ -33,7 +33,10 @@ final class TriedOneByOne {
     double joules = 0;
     for (Decision decision : decisions) {
       AllocationTask task =
-          problem.waiting().stream().filter(t -> t.id() == decision.task()).findFirst().orElseThrow();
+          problem.waiting().stream()
+              .filter(t -> t.id() == decision.task())
+              .findFirst()
+              .orElseThrow();
       for (String name : Outcome.robots(decision)) {
         Candidate robot =
             problem.robots().stream().filter(r -> r.robot().equals(name)).findFirst().orElseThrow();
@@ -47,8 +50,7 @@ final class TriedOneByOne {
 
   private void tryAll(int index, Set<Candidate> taken, double joules) {
     if (index == problem.waiting().size()) {
-      if (taken.size() > mostWorking
-          || (taken.size() == mostWorking && joules < leastJoules)) {
+      if (taken.size() > mostWorking || (taken.size() == mostWorking && joules < leastJoules)) {
         mostWorking = taken.size();
         leastJoules = joules;
       }
@@ -61,8 +63,7 @@ final class TriedOneByOne {
         problem.freeRobots().stream()
             .filter(r -> costs.of(together ? task.partFor(r) : task, r).isPossible())
             .toList();
-    int size =
-        together ? TeamSize.smallest(task.load(), able).orElse(Integer.MAX_VALUE) : 1;
+    int size = together ? TeamSize.smallest(task.load(), able).orElse(Integer.MAX_VALUE) : 1;
     for (int set = 1; set < 1 << able.size(); set++) {
       if (Integer.bitCount(set) != size) {
         continue;
@@ -70,8 +71,7 @@ final class TriedOneByOne {
       int members = set;
       List<Candidate> team =
           able.stream().filter(r -> (members >> able.indexOf(r) & 1) == 1).toList();
-      if (team.stream().noneMatch(taken::contains)
-          && TeamSize.isStrongEnough(task.load(), team)) {
+      if (team.stream().noneMatch(taken::contains) && TeamSize.isStrongEnough(task.load(), team)) {
         double more = team.stream().mapToDouble(r -> joules(task, r, together)).sum();
         taken.addAll(team);
         tryAll(index + 1, taken, joules + more);

@@ -194,7 +194,11 @@ final class FleetScenario {
     } else if (task.matches()) {
       submit(stage, task);
     } else if (refused.matches()) {
-      return stage.fleet.submit(order(refused, null), "Clara").toCompletableFuture().get(10, TimeUnit.SECONDS)
+      return stage
+                  .fleet
+                  .submit(order(refused, null), "Clara")
+                  .toCompletableFuture()
+                  .get(10, TimeUnit.SECONDS)
               instanceof Answer.Rejected<TaskView>(String _, Sentence why)
           && contains(why, refused.group(5));
     } else if (cancel.matches()) {

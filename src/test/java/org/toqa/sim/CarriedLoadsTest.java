@@ -63,7 +63,8 @@ class CarriedLoadsTest {
     assertForces(List.of(2.25, 3.75, 3.75, 2.25), aside, List.of(3.0, 3.0, 3.0, 3.0));
 
     // the middle is beyond all of them: the nearest bears it
-    assertForces(List.of(12.0, 0.0), List.of(new Vec2(0.1, 0), new Vec2(0.3, 0)), List.of(6.0, 6.0));
+    assertForces(
+        List.of(12.0, 0.0), List.of(new Vec2(0.1, 0), new Vec2(0.3, 0)), List.of(6.0, 6.0));
 
     // beside their line
     assertForces(List.of(6.0, 6.0), List.of(new Vec2(-1, 1), new Vec2(1, 1)), List.of(6.0, 6.0));

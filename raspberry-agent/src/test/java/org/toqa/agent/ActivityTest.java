@@ -28,7 +28,8 @@ import org.toqa.motion.Segment;
 class ActivityTest {
 
   private static final long TASK = 5;
-  private static final Follow FOLLOW = new Follow(9, TASK, "r9", null, new Vec2(-0.5, 0), 0.5, null);
+  private static final Follow FOLLOW =
+      new Follow(9, TASK, "r9", null, new Vec2(-0.5, 0), 0.5, null);
 
   @TempDir Path folder;
 

@@ -100,7 +100,8 @@ class EncryptedFormationTest {
                     "r1",
                     null,
                     FormationRig.SHAPE.offsets().get(0),
-                    FormationRig.TOLERANCE, null));
+                    FormationRig.TOLERANCE,
+                    null));
 
     assertEquals("r2 is paired: it knows its leader by the fingerprint, which is missing.", reason);
   }

@@ -37,8 +37,7 @@ record Capacity(double total, Map<String, List<Candidate>> robots) {
       return List.of();
     }
     return Stream.of(
-            narrowestFirst,
-            narrowestFirst.stream().filter(Candidate::isOmnidirectional).toList())
+            narrowestFirst, narrowestFirst.stream().filter(Candidate::isOmnidirectional).toList())
         .flatMap(
             among ->
                 TeamSize.smallest(task.load(), among)

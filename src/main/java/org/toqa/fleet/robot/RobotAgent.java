@@ -125,8 +125,7 @@ public final class RobotAgent extends AbstractBehavior<RobotMessage> {
           commands.sendInOrder(
               0,
               (n, _) ->
-                  new ServerMessage.Lead(
-                      n, m.task(), m.tolerance(), m.followers(), m.carries()));
+                  new ServerMessage.Lead(n, m.task(), m.tolerance(), m.followers(), m.carries()));
       case RobotMessage.Follow m -> drives.follow(m);
       case RobotMessage.Extend m -> drives.extend(m);
       case RobotMessage.Release m -> drives.release(m.released());

@@ -49,8 +49,7 @@ public sealed interface RobotMessage {
    *
    * @param carries its part of the load; null: not known
    */
-  record Lead(
-      long task, double tolerance, List<Follower> followers, @Nullable CarriedPart carries)
+  record Lead(long task, double tolerance, List<Follower> followers, @Nullable CarriedPart carries)
       implements RobotMessage {}
 
   /**

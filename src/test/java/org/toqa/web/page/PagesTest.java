@@ -322,6 +322,7 @@ class PagesTest extends WebServerTest {
     }
     assertTrue(page.contains("No program accepts connections at 10.0.0.7:7277. Check that"));
     assertTrue(page.contains("0.03 m"), "off its place");
+    assertTrue(page.contains("4.2 kg"), "what it bears");
     assertTrue(page.contains("0.45, 0.80, 0.10"), "the ranges");
     assertTrue(page.contains("has never been connected"));
     assertTrue(page.contains("<polyline points=\"200.0,16.0 398.3,20.0 400.0,20.0\""));
