@@ -288,8 +288,12 @@ public final class RobotControl {
 
   private void endPhase() {
     if (record.savePhaseEnd()) {
+      log.info(
+          "{}: phase {} is done{}.",
+          record.logName(),
+          record.entry().phase(),
+          activity.drive().map(run -> ", " + run.summary(pose())).orElse(""));
       activity = Alone.IDLE;
-      log.info("{}: phase {} is done.", record.logName(), record.entry().phase());
     }
   }
 
