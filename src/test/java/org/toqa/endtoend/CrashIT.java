@@ -15,8 +15,8 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
 /**
- * {@code kill -9} of a server with simulated robots: no task is lost, none is done twice, and
- * loads that were set down in the only doors to a room keep robots out of it, with that reason.
+ * {@code kill -9} of a server with simulated robots: no task is lost, none is done twice, and loads
+ * that were set down in the only doors to a room keep robots out of it, with that reason.
  */
 @Tag("full")
 class CrashIT {
