@@ -31,6 +31,10 @@
           <fmt:formatNumber value="${robot.telemetry.readings().placeError()}" minFractionDigits="2" maxFractionDigits="2" var="placeError"/>
           <dt><fmt:message key="robot.placeError"/></dt><dd><fmt:message key="common.metres"><fmt:param value="${placeError}"/></fmt:message></dd>
         </c:if>
+        <c:if test="${not empty robot.telemetry.readings().measuredLoad()}">
+          <fmt:formatNumber value="${robot.telemetry.readings().measuredLoad()}" minFractionDigits="1" maxFractionDigits="1" var="measuredLoad"/>
+          <dt><fmt:message key="robot.measuredLoad"/></dt><dd><fmt:message key="common.kilograms"><fmt:param value="${measuredLoad}"/></fmt:message></dd>
+        </c:if>
         <dt><fmt:message key="robot.battery"/></dt>
         <dd><c:choose><c:when test="${empty robot.telemetry.battery}"><span class="faint"><fmt:message key="robot.battery.unknown"/></span></c:when><c:otherwise><fmt:formatNumber value="${robot.telemetry.battery}" type="percent"/></c:otherwise></c:choose></dd>
         <c:if test="${not empty robot.work.charger}"><dt><fmt:message key="robot.charger"/></dt><dd><bdi><c:out value="${robot.work.charger}"/></bdi></dd></c:if>

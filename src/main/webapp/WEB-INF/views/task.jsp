@@ -51,7 +51,7 @@
         <c:if test="${not empty held}">
           <table class="stacks" id="holds">
             <caption class="faint"><fmt:message key="task.holds"/></caption>
-            <thead><tr><th scope="col"><fmt:message key="task.holds.robot"/></th><th scope="col"><fmt:message key="task.holds.ahead"/></th><th scope="col"><fmt:message key="task.holds.left"/></th><th scope="col"><fmt:message key="task.holds.share"/></th></tr></thead>
+            <thead><tr><th scope="col"><fmt:message key="task.holds.robot"/></th><th scope="col"><fmt:message key="task.holds.ahead"/></th><th scope="col"><fmt:message key="task.holds.left"/></th><th scope="col"><fmt:message key="task.holds.share"/></th><th scope="col"><fmt:message key="task.holds.measured"/></th></tr></thead>
             <tbody>
               <c:forEach items="${held.points}" var="point">
                 <fmt:formatNumber value="${point.at.x}" minFractionDigits="2" maxFractionDigits="2" var="ahead"/>
@@ -62,6 +62,7 @@
                   <td class="number" data-label="<fmt:message key="task.holds.ahead"/>"><bdi dir="ltr">${ahead}</bdi></td>
                   <td class="number" data-label="<fmt:message key="task.holds.left"/>"><bdi dir="ltr">${left}</bdi></td>
                   <td class="number" data-label="<fmt:message key="task.holds.share"/>"><fmt:message key="common.kilograms"><fmt:param value="${share}"/></fmt:message></td>
+                  <td class="number" data-label="<fmt:message key="task.holds.measured"/>"><c:choose><c:when test="${empty point.measured}"><span class="faint"><fmt:message key="task.holds.notMeasured"/></span></c:when><c:otherwise><fmt:formatNumber value="${point.measured}" minFractionDigits="1" maxFractionDigits="1" var="measured"/><fmt:message key="common.kilograms"><fmt:param value="${measured}"/></fmt:message></c:otherwise></c:choose></td>
                 </tr>
               </c:forEach>
             </tbody>

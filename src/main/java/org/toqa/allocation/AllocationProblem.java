@@ -1,7 +1,9 @@
 package org.toqa.allocation;
 
 import java.time.Instant;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
 import org.jspecify.annotations.Nullable;
 import org.toqa.geometry.Vec2;
 
@@ -59,6 +61,24 @@ public record AllocationProblem(
   AllocationProblem withWaiting(List<AllocationTask> nextWaiting, List<Candidate> nextRobots) {
     return new AllocationProblem(
         now, low, high, terrain, nextWaiting, givenTasks, nextRobots, placesInUse, received);
+  }
+
+  /** The same, with no robots in teams that cannot go sideways. */
+  public AllocationProblem forOmnidirectional() {
+    return withWaiting(waiting.stream().map(AllocationTask::forOmnidirectional).toList(), robots);
+  }
+
+  /** All robots, those busy that these decisions give something to. */
+  List<Candidate> robotsAfter(List<Decision> decisions) {
+    Map<String, Long> taken = new HashMap<>();
+    for (Decision decision : decisions) {
+      if (decision instanceof Decision.Assigned assigned) {
+        assigned.robots().forEach(robot -> taken.put(robot, assigned.task()));
+      }
+    }
+    return robots.stream()
+        .map(r -> taken.containsKey(r.robot()) ? r.withTask(taken.get(r.robot())) : r)
+        .toList();
   }
 
   List<Candidate> freeRobots() {

@@ -14,8 +14,14 @@ import org.toqa.geometry.Vec2;
  * @param goal where it is to go, metres, map frame
  * @param waitsFrom the moment from which its waiting counts; see {@link #waitingSince(Instant, int,
  *     Instant)}
+ * @param isForOmnidirectional whether a group with robots that cannot go sideways has no room
  */
-public record AllocationTask(long id, double load, Vec2 start, Vec2 goal, Instant waitsFrom) {
+public record AllocationTask(
+    long id, double load, Vec2 start, Vec2 goal, Instant waitsFrom, boolean isForOmnidirectional) {
+
+  public AllocationTask(long id, double load, Vec2 start, Vec2 goal, Instant waitsFrom) {
+    this(id, load, start, goal, waitsFrom, false);
+  }
 
   /** What has waited longest, as it counts, comes first. */
   public static final Comparator<AllocationTask> BY_PRECEDENCE =
@@ -48,7 +54,18 @@ public record AllocationTask(long id, double load, Vec2 start, Vec2 goal, Instan
 
   /** What one of several robots carries of it at most. */
   AllocationTask partFor(Candidate robot) {
-    return new AllocationTask(id, Math.min(load, robot.maxLoad()), start, goal, waitsFrom);
+    return new AllocationTask(
+        id, Math.min(load, robot.maxLoad()), start, goal, waitsFrom, isForOmnidirectional);
+  }
+
+  /** The same, that no team with a robot may have that cannot go sideways. */
+  public AllocationTask forOmnidirectional() {
+    return new AllocationTask(id, load, start, goal, waitsFrom, true);
+  }
+
+  /** Whether the robot may be one of several. */
+  boolean allowsInTeam(Candidate robot) {
+    return robot.isOmnidirectional() || !isForOmnidirectional;
   }
 
   /** Seconds, at least 0. */

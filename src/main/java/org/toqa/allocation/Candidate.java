@@ -9,6 +9,7 @@ import org.toqa.geometry.Vec2;
  * @param maxLoad kilograms
  * @param diameter metres
  * @param speed metres a second, straight on
+ * @param isOmnidirectional whether it can go sideways, so that a group with it takes tight corners
  * @param position metres, map frame
  * @param parking its parking point, metres, map frame; where it is if it has none
  * @param battery 0 to 1; null where it is not known
@@ -19,6 +20,7 @@ public record Candidate(
     double maxLoad,
     double diameter,
     double speed,
+    boolean isOmnidirectional,
     Vec2 position,
     Vec2 parking,
     @Nullable Double battery,
@@ -26,13 +28,25 @@ public record Candidate(
     @Nullable Long task) {
 
   Candidate withTask(long task) {
-    return new Candidate(
-        robot, maxLoad, diameter, speed, position, parking, battery, Availability.BUSY, task);
+    return with(Availability.BUSY, task);
   }
 
   Candidate withoutTask() {
+    return with(Availability.FREE, null);
+  }
+
+  private Candidate with(Availability next, @Nullable Long nextTask) {
     return new Candidate(
-        robot, maxLoad, diameter, speed, position, parking, battery, Availability.FREE, null);
+        robot,
+        maxLoad,
+        diameter,
+        speed,
+        isOmnidirectional,
+        position,
+        parking,
+        battery,
+        next,
+        nextTask);
   }
 
   boolean isFree() {

@@ -26,7 +26,8 @@ import org.toqa.wording.Sentence;
  * <ol>
  *   <li>All tasks that wait are announced to all robots that are free. Each bids or declines, with
  *       a reason; whoever says nothing in {@link #ANSWER_TIME} takes part no more.
- *   <li>The least bid wins, task by task; loads for several robots go to the nearest that bid.
+ *   <li>The least bid wins, task by task; a load for several robots goes to the smallest team, of
+ *       those that bid least for a part of it.
  *   <li>Each award is confirmed by the robot's agent. One that is refused, or not answered, comes
  *       back and is announced again, to others.
  *   <li>Robots offer what they have and have not begun; all say what it would cost them. Trades
@@ -45,7 +46,7 @@ public final class Negotiation {
   private static final int MOST_MARKETS = 4;
 
   private static final TeamAllocator AWARDS =
-      new TeamAllocator(new LeastBid(), _ -> new NearestTeams());
+      new TeamAllocator(new LeastBid(), _ -> new LeastBidTeams());
 
   private final long number;
   private final AllocationProblem problem;
@@ -175,7 +176,7 @@ public final class Negotiation {
     return open(
         Step.CALLING,
         open.waiting().stream()
-            .map(task -> new Lot(task, TeamAllocator.isForSeveral(open, task)))
+            .map(task -> new Lot(task, TeamSize.isForSeveral(open, task)))
             .toList(),
         invited,
         now);

@@ -42,6 +42,15 @@ public record OwnView(
 
   Candidate candidate() {
     return new Candidate(
-        robot, maxLoad, diameter, speed, position, position, battery, Availability.FREE, null);
+        robot,
+        maxLoad,
+        diameter,
+        speed,
+        true, // who carries together is not the agent's affair
+        position,
+        position,
+        battery,
+        Availability.FREE,
+        null);
   }
 }

@@ -15,9 +15,7 @@ public enum Policy {
       case ZONES ->
           new AllocationMethod.Computed(new TeamAllocator(new ZoneAllocator(), ZoneTeams::new));
       case CONTRACT_NET -> new AllocationMethod.Negotiated();
-      case OPTIMAL ->
-          new AllocationMethod.Computed(
-              new TeamAllocator(new OptimalAllocator(), _ -> new NearestTeams()));
+      case OPTIMAL -> new AllocationMethod.Computed(new OptimalAllocator());
     };
   }
 

@@ -10,9 +10,14 @@ import org.toqa.wording.Sentence;
 interface TeamRanking {
 
   /**
-   * @param approach its path to the load, metres
+   * @param quote for its part of the load
    */
-  record Member(Candidate robot, double approach) {}
+  record Member(Candidate robot, Quote quote) {
+    /** Its path to the load, metres. */
+    double approach() {
+      return quote.approach();
+    }
+  }
 
   /** What each has of the load, in words. */
   static Sentence shares(AllocationTask task, List<Member> team) {
@@ -28,8 +33,20 @@ interface TeamRanking {
                 .toList());
   }
 
-  /** The team is made of the least ones, and the least of all leads. */
+  /** Of a team that the nearest leads. */
+  static Sentence ledByNearest(AllocationTask task, List<Member> team) {
+    Member leader = team.getFirst();
+    return Phrase.TOO_HEAVY_FOR_ONE.with(
+        team.size(), shares(task, team), leader.robot().robot(), leader.approach());
+  }
+
+  /** The team is made of the least ones. */
   Comparator<Member> order(AllocationTask task);
+
+  /** Of the team the least leads. */
+  default Comparator<Member> leaderFirst(AllocationTask task) {
+    return order(task);
+  }
 
   /**
    * @param team the leader first

@@ -13,6 +13,36 @@ public final class TeamSize {
 
   private TeamSize() {}
 
+  /** Whether the load is too heavy for every robot that fits on its path. */
+  static boolean isForSeveral(AllocationProblem problem, AllocationTask task) {
+    return isForSeveral(task, fitting(problem, task));
+  }
+
+  /**
+   * @param fitting the robots that fit on its path
+   */
+  static boolean isForSeveral(AllocationTask task, List<Candidate> fitting) {
+    return !fitting.isEmpty() && fitting.stream().noneMatch(r -> r.isStrongEnough(task));
+  }
+
+  /** The robots for which the path of the load is wide enough. */
+  static List<Candidate> fitting(AllocationProblem problem, AllocationTask task) {
+    Quotes quotes = problem.quotes();
+    return problem.robots().stream().filter(r -> quotes.hasPathFor(task, r)).toList();
+  }
+
+  /** How many robots carry the load, of those that are not broken; empty if all cannot. */
+  static Optional<Integer> ofAll(AllocationTask task, List<Candidate> robots) {
+    return smallest(task.load(), robots.stream().filter(TeamSize::canBeFree).toList());
+  }
+
+  private static boolean canBeFree(Candidate robot) {
+    return switch (robot.availability()) {
+      case FREE, BUSY, CHARGING, HELD -> true;
+      case CONNECTING, LOST, NOT_LOCALISED, ERROR, OUT_OF_SERVICE -> false;
+    };
+  }
+
   /** The least number whose maximum loads add up to it; empty where those of all do not. */
   public static Optional<Integer> smallest(double load, List<Candidate> robots) {
     List<Double> strongestFirst =

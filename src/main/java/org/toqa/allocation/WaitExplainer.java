@@ -32,7 +32,7 @@ public final class WaitExplainer {
     this(problem.robots(), problem.quotes());
   }
 
-  private WaitExplainer(List<Candidate> robots, Quotes quotes) {
+  WaitExplainer(List<Candidate> robots, Quotes quotes) {
     this.robots = List.copyOf(robots);
     this.quotes = quotes;
   }

@@ -93,9 +93,10 @@ public record FloorView(
 
   /**
    * @param at metres from the load's middle: x to where the robots face, y to their left
-   * @param share kilograms that the robot bears there
+   * @param share kilograms that the robot is to bear there
+   * @param measured kilograms that it bears as it measures, in tenths; null: it does not say
    */
-  public record HoldPoint(String robot, Vec2 at, double share) {}
+  public record HoldPoint(String robot, Vec2 at, double share, @Nullable Double measured) {}
 
   /**
    * A charging point that does not charge.

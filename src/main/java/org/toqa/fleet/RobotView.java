@@ -81,14 +81,16 @@ public record RobotView(
    * @param ranges metres, of its range sensors from right to left; empty: it has none, or they are
    *     not known
    * @param placeError metres off its place beside its leader; null: it does not follow
+   * @param measuredLoad kilograms that it bears, as it measures; null: nothing, or it has no scale
    */
   public record Readings(
       @Nullable Double speed,
       @Nullable Double turnRate,
       List<Double> ranges,
-      @Nullable Double placeError) {
+      @Nullable Double placeError,
+      @Nullable Double measuredLoad) {
 
-    public static final Readings NONE = new Readings(null, null, List.of(), null);
+    public static final Readings NONE = new Readings(null, null, List.of(), null, null);
 
     public Readings {
       ranges = List.copyOf(ranges);
@@ -96,11 +98,13 @@ public record RobotView(
 
     public static Readings of(AgentMessage.State state) {
       Double error = state.placeError();
+      Double load = state.measuredLoad();
       return new Readings(
           rounded(state.twist().v()),
           rounded(state.twist().w()),
           state.ranges().stream().limit(MOST_RANGES).map(Readings::rounded).toList(),
-          error == null ? null : rounded(error));
+          error == null ? null : rounded(error),
+          load == null ? null : rounded(load));
     }
 
     private static double rounded(double value) {

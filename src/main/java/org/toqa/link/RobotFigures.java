@@ -20,6 +20,9 @@ final class RobotFigures {
   /** Metres a second, radians a second. */
   private static final double MAX_SPEED = 100;
 
+  /** Kilograms on board. */
+  private static final double MAX_LOAD = 10_000;
+
   private RobotFigures() {}
 
   /**
@@ -84,9 +87,13 @@ final class RobotFigures {
       return Optional.of("A range of the state is less than 0.");
     }
     Double placeError = state.placeError();
-    return placeError == null || placeError >= 0
+    if (placeError != null && !(placeError >= 0)) {
+      return Optional.of("The placeError of the state is less than 0.");
+    }
+    Double load = state.measuredLoad();
+    return load == null || (load >= 0 && load <= MAX_LOAD)
         ? Optional.empty()
-        : Optional.of("The placeError of the state is less than 0.");
+        : Optional.of("The measuredLoad of the state is not from 0 to 10,000 kg.");
   }
 
   private static String farAway(String what, String message) {

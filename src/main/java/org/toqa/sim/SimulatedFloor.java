@@ -3,8 +3,10 @@ package org.toqa.sim;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import java.util.concurrent.ConcurrentHashMap;
 import org.jspecify.annotations.Nullable;
+import org.toqa.agent.chassis.SharedLoad;
 import org.toqa.agent.chassis.Surroundings;
 import org.toqa.geometry.Pose;
 import org.toqa.geometry.Vec2;
@@ -37,6 +39,7 @@ public final class SimulatedFloor {
   private final Map<String, Solid> obstacles = new ConcurrentHashMap<>();
   private final Map<String, Solid> robots = new ConcurrentHashMap<>();
   private final SolidIndex solids = new SolidIndex();
+  private final CarriedLoads carriedLoads = new CarriedLoads();
 
   private SimulatedFloor(@Nullable OccupancyGrid walls, List<Vec2> chargers) {
     this.walls = walls;
@@ -111,6 +114,18 @@ public final class SimulatedFloor {
         } else {
           solids.move(body, truth);
         }
+      }
+
+      @Override
+      public void setSharedLoad(@Nullable SharedLoad load) {
+        if (body != null) {
+          carriedLoads.put(robot, load, body.at());
+        }
+      }
+
+      @Override
+      public OptionalDouble borneShare() {
+        return carriedLoads.shareOf(robot);
       }
 
       @Override

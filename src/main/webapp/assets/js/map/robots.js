@@ -144,14 +144,16 @@ function drawGroup(context, viewport, colours, task, poses, points) {
   drawHoldPoints(context, viewport, colours, {x: middle('x'), y: middle('y'), theta: poses[0].theta}, points);
 }
 
-/** Where robots hold the load: the larger a robot's share, the larger its dot. */
+/** Where robots hold the load: the larger what a robot bears, as it measures or else its share, the larger its dot. */
 function drawHoldPoints(context, viewport, colours, load, points) {
-  const largest = Math.max(...points.map(({share}) => share));
-  for (const {at, share} of points) {
+  const borne = ({share, measured}) => measured ?? share;
+  const largest = Math.max(...points.map(borne));
+  for (const point of points) {
+    const {at} = point;
     const [cos, sin] = [Math.cos(load.theta), Math.sin(load.theta)];
     const [x, y] = viewport.toScreen(load.x + cos * at.x - sin * at.y, load.y + sin * at.x + cos * at.y);
     context.beginPath();
-    context.arc(x, y, 2 + 3 * Math.sqrt(share / largest), 0, 2 * Math.PI);
+    context.arc(x, y, 2 + 3 * Math.sqrt(borne(point) / largest), 0, 2 * Math.PI);
     context.fillStyle = colours['map-load-line'];
     context.strokeStyle = colours['map-halo'];
     context.lineWidth = 1.5;

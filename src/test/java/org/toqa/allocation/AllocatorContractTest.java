@@ -77,7 +77,7 @@ class AllocatorContractTest {
       List<Decision> decisions = allocator.allocate(problem);
       Set<String> chosen = new HashSet<>();
       decisions.forEach(d -> chosen.addAll(Outcome.robots(d)));
-      if (problem.waiting().stream().anyMatch(t -> TeamAllocator.isForSeveral(problem, t))) {
+      if (problem.waiting().stream().anyMatch(t -> TeamSize.isForSeveral(problem, t))) {
         continue; // robots may be kept for it
       }
       for (Decision decision : decisions) {
@@ -197,6 +197,7 @@ class AllocatorContractTest {
                 50,
                 0.6,
                 0.25,
+                true,
                 wide.position(),
                 wide.parking(),
                 1.0,
@@ -241,7 +242,8 @@ class AllocatorContractTest {
 
   private static Candidate sized(String name, double diameter, double speed, double x) {
     Vec2 place = new Vec2(x, 5);
-    return new Candidate(name, 5, diameter, speed, place, place, 1.0, Availability.FREE, null);
+    return new Candidate(
+        name, 5, diameter, speed, true, place, place, 1.0, Availability.FREE, null);
   }
 
   @ParameterizedTest
@@ -272,7 +274,8 @@ class AllocatorContractTest {
         List.of(job(1, 1, 40)),
         List.of(),
         List.of(
-            new Candidate("r1", 5, 0.255, 0.25, place, place, battery, Availability.FREE, null)),
+            new Candidate(
+                "r1", 5, 0.255, 0.25, true, place, place, battery, Availability.FREE, null)),
         List.of());
   }
 

@@ -59,7 +59,7 @@ final class Floors {
   static Candidate robot(
       String name, double maxLoad, double x, Availability standing, @Nullable Long task) {
     Vec2 place = new Vec2(x, 5);
-    return new Candidate(name, maxLoad, 0.255, 0.25, place, place, 1.0, standing, task);
+    return new Candidate(name, maxLoad, 0.255, 0.25, true, place, place, 1.0, standing, task);
   }
 
   /**
@@ -80,6 +80,7 @@ final class Floors {
               isHolder ? 9 : 3 + 2 * random.nextInt(4),
               0.255,
               random.nextBoolean() ? 0.25 : 0.1,
+              true,
               anywhere(random),
               anywhere(random),
               random.nextBoolean() ? null : random.nextDouble(),

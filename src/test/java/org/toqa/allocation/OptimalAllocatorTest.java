@@ -1,5 +1,6 @@
 package org.toqa.allocation;
 
+import static java.util.stream.Collectors.toMap;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.toqa.allocation.Floors.NOON;
@@ -9,6 +10,7 @@ import static org.toqa.allocation.Floors.job;
 import static org.toqa.allocation.Floors.situation;
 
 import java.util.List;
+import java.util.Map;
 import org.junit.jupiter.api.Test;
 import org.toqa.allocation.AllocationProblem.GivenTask;
 import org.toqa.wording.Sentence;
@@ -42,7 +44,7 @@ class OptimalAllocatorTest {
     int cheaper = 0;
     for (int seed = 0; seed < 200; seed++) {
       AllocationProblem problem = Floors.random(seed, 4, 12, 0);
-      if (problem.waiting().stream().anyMatch(t -> TeamAllocator.isForSeveral(problem, t))) {
+      if (problem.waiting().stream().anyMatch(t -> TeamSize.isForSeveral(problem, t))) {
         continue;
       }
       Outcome optimal = new Outcome(problem, allocator.allocate(problem));
@@ -58,6 +60,38 @@ class OptimalAllocatorTest {
       }
     }
     assertTrue(cheaper > 100, "it was cheaper " + cheaper + " times only");
+  }
+
+  /** A team of the nearest, r2 and r3, would leave a long path to the one that carries 1 kg. */
+  @Test
+  void theTeamIsPartOfTheOneDecision() {
+    List<Decision> decisions =
+        allocator.allocate(
+            situation(
+                List.of(job(1, 8, 8), job(2, 1, 11)),
+                List.of(free("r1", 5, 2), free("r2", 5, 10), free("r3", 5, 13))));
+    assertEquals(
+        Map.of(1L, List.of("r2", "r1"), 2L, List.of("r3")),
+        decisions.stream().collect(toMap(Decision::task, Outcome::robots)));
+  }
+
+  /**
+   * Of all ways to deal them out, tried one by one, none has more robots at work, or costs less.
+   */
+  @Test
+  void noWayToGiveThemOutIsBetter() {
+    int together = 0;
+    for (int seed = 0; seed < 60; seed++) {
+      AllocationProblem problem = Floors.random(seed, 1 + seed % 4, 3 + seed % 4, 0);
+      List<Decision> decisions = allocator.allocate(problem);
+      TriedOneByOne best = new TriedOneByOne(problem);
+      boolean isSearched = best.isWithoutPrecedence();
+      together += decisions.stream().anyMatch(d -> Outcome.robots(d).size() > 1) ? 1 : 0;
+      if (isSearched) {
+        best.assertNoneIsBetterThan(decisions, "seed " + seed);
+      }
+    }
+    assertTrue(together > 10, "several together " + together + " times only");
   }
 
   @Test

@@ -74,6 +74,7 @@ class ZoneTeamsTest {
         robot.maxLoad(),
         robot.diameter(),
         robot.speed(),
+        robot.isOmnidirectional(),
         position,
         robot.parking(),
         robot.battery(),

@@ -1,23 +1,33 @@
 package org.toqa.endtoend;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.stream.LongStream;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** {@code kill -9} of a server with simulated robots: no task is lost, none is done twice. */
+/**
+ * {@code kill -9} of a server with simulated robots: no task is lost, none is done twice, and loads
+ * that were set down in the only doors to a room keep robots out of it, with that reason.
+ */
 @Tag("full")
 class CrashIT {
   private static final List<String> STATIONS =
       List.of("Goods-in 1", "Mill", "Store A", "Assembly", "Packing 1");
 
   private static final int MOST_TASKS = 20;
+
+  /** The ways into the room with the mill: a door of 0.9 m, and one of 0.3 m. */
+  private static final List<Map<String, Object>> DOORS =
+      List.of(Map.of("x", 3.15, "y", 7.65), Map.of("x", 6.75, "y", 9.15));
 
   @TempDir private Path folder;
 
@@ -34,7 +44,11 @@ class CrashIT {
           assertTrue(tasks.size() < MOST_TASKS, () -> "hardly a phase was seen of " + tasks);
           tasks.add(server.addTask(name, STATIONS.get(i), STATIONS.get(i + 1)));
         }
+        List<Long> left = i == phases.size() - 1 ? setDownInTheDoors(server) : List.of();
         server.killAndRestart();
+        if (!left.isEmpty()) {
+          assertRobotsWaitForTheLoads(left, server);
+        }
       }
       long first = tasks.getFirst();
       assertEquals(LongStream.range(first, first + tasks.size()).boxed().toList(), tasks);
@@ -44,6 +58,40 @@ class CrashIT {
         assertEquals(1, server.eventCount(task, "Delivered"), "delivered: " + server.task(task));
       }
     }
+  }
+
+  /** Loads that fill them; their tasks. */
+  private static List<Long> setDownInTheDoors(RunningServer server) throws Exception {
+    Map<String, Object> order =
+        new HashMap<>(RunningServer.order("set down", "Packing 2", "Goods-in 1"));
+    order.put("size", Map.of("length", 0.9, "width", 0.9));
+    List<Long> tasks = new ArrayList<>();
+    for (int i = 0; i < DOORS.size(); i++) {
+      tasks.add(server.api().post("tasks", order).get("id").asLong());
+    }
+    for (int i = 0; i < DOORS.size(); i++) {
+      String task = "tasks/" + tasks.get(i);
+      server.awaitState(tasks.get(i), "CARRYING");
+      server.awaitAccepted(task + "/cancel", Map.of("load", "here"));
+      server.awaitState(tasks.get(i), "CANCELLED");
+      server.awaitAccepted(task + "/load-moved", Map.of("place", DOORS.get(i)));
+    }
+    return tasks;
+  }
+
+  private static void assertRobotsWaitForTheLoads(List<Long> left, RunningServer server)
+      throws Exception {
+    long into = server.addTask("into the room", "Packing 1", "Mill");
+    server.await(
+        "tasks/" + into,
+        task -> {
+          assertNotEquals("DONE", task.get("state").asString());
+          return task.get("waitingFor").asString("").contains("an obstacle");
+        });
+    for (long task : left) {
+      server.awaitAccepted("tasks/" + task + "/load-removed", Map.of());
+    }
+    server.awaitState(into, "DONE");
   }
 
   /** Whether the task is in that phase now; false where the phase has passed unseen. */

@@ -1,5 +1,6 @@
 package org.toqa.fleet;
 
+import static java.util.Objects.requireNonNull;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
@@ -9,11 +10,14 @@ import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Objects;
+import java.util.concurrent.TimeUnit;
 import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
+import org.toqa.fleet.FloorView.HoldPoint;
+import org.toqa.geometry.Pose;
 import org.toqa.geometry.Vec2;
 import org.toqa.grid.FloorMap;
 import org.toqa.grid.OccupancyGrid;
@@ -61,15 +65,63 @@ class CarryTogetherTest {
     FleetSnapshot carrying =
         live().await(view -> LiveFloor.isInState(view, task, TaskState.CARRYING));
     assertEquals(3, LiveFloor.task(carrying, task).robots().size());
+    for (HoldPoint point : awaitMeasuredShares()) {
+      assertEquals(4, point.share());
+      assertEquals(point.share(), requireNonNull(point.measured()), 0.4, point::toString);
+    }
     untilDone(task);
+  }
+
+  /** It takes itself to be 0.07 m from where it is, and so stands that much beside its place. */
+  @Test
+  @Timeout(300)
+  void robotThatStandsOutOfItsPlaceBearsAnotherShare() throws Exception {
+    open(3);
+    Pose where = requireNonNull(robot("r3").telemetry().pose());
+    live()
+        .fleet
+        .locateRobot("r3", new Pose(where.x() + 0.05, where.y() + 0.05, where.theta()), "Max")
+        .toCompletableFuture()
+        .get(10, TimeUnit.SECONDS);
+    order(12);
+    List<HoldPoint> points = awaitMeasuredShares();
+    double sum = points.stream().mapToDouble(point -> requireNonNull(point.measured())).sum();
+    assertEquals(12, sum, 0.3); // each is rounded
+    assertTrue(
+        points.stream()
+            .anyMatch(point -> Math.abs(requireNonNull(point.measured()) - point.share()) > 0.6),
+        points::toString);
+  }
+
+  private RobotView robot(String name) {
+    return live().fleet.snapshots().latest().robots().stream()
+        .filter(robot -> robot.name().equals(name))
+        .findFirst()
+        .orElseThrow();
+  }
+
+  private List<HoldPoint> awaitMeasuredShares() throws InterruptedException {
+    return heldPoints(
+        live()
+            .await(
+                view -> {
+                  List<HoldPoint> points = heldPoints(view);
+                  return !points.isEmpty() && points.stream().allMatch(p -> p.measured() != null);
+                }));
+  }
+
+  private static List<HoldPoint> heldPoints(FleetSnapshot view) {
+    return view.floors().getFirst().heldLoads().stream()
+        .flatMap(load -> load.points().stream())
+        .toList();
   }
 
   /** They take wide corners, and are allowed to be farther off their places. */
   @Test
   @Timeout(300)
-  void twoRobotsThatCannotGoSidewaysCarryTogether() throws Exception {
-    open(2, DriveKind.DIFFERENTIAL);
-    untilDone(live().submit(8, "A", "C"));
+  void threeRobotsThatCannotGoSidewaysCarryTogether() throws Exception {
+    open(3, DriveKind.DIFFERENTIAL);
+    untilDone(live().submit(12, "A", "C"));
   }
 
   /** Longer than a robot may stand without a word. */

@@ -4,10 +4,12 @@ import java.time.Duration;
 import java.time.Instant;
 import java.util.ArrayList;
 import java.util.HashMap;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Objects;
+import java.util.Set;
 import java.util.concurrent.CompletionStage;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Predicate;
@@ -24,6 +26,7 @@ import org.toqa.mission.LoadChoice;
 import org.toqa.mission.MissionEvent;
 import org.toqa.mission.Reply;
 import org.toqa.mission.TaskState;
+import org.toqa.motion.DriveKind;
 import org.toqa.wording.Sentence;
 
 /**
@@ -39,12 +42,14 @@ import org.toqa.wording.Sentence;
  * a is 1.4 wide                     metres, for the whole scenario
  * a drives 0.1                      metres a second at most, for the whole scenario
  * a turns 0.5                       radians a second at most, for the whole scenario
+ * a cannot go sideways              for the whole scenario
  * a carries 10                      kilograms; 5 where nothing is said, for the whole scenario
  * allocates zones                   also: contract-net; optimal where nothing is said
  * a has 18                          percent in its battery, from now on
  * task box A B 2                    kilograms
  * task late A B 2 within 5          seconds to its deadline; "expect late answered ..." looks at
  *                                   what the caller was told
+ * refused box A B 8 no room         the order, with these words
  * cancel box                        also: cancel box here, cancel box back
  * answer box another robot
  * hold box                          also: hold a, hold all; resume ...
@@ -71,6 +76,8 @@ final class FleetScenario {
 
   private static final Pattern TASK =
       Pattern.compile("task (\\w+) ([A-Z]) ([A-Z]) ([0-9.]+)(?: within (\\d+))?");
+  private static final Pattern REFUSED =
+      Pattern.compile("refused (\\w+) ([A-Z]) ([A-Z]) ([0-9.]+) (.+)");
   private static final Pattern EXPECT = Pattern.compile("expect (\\w+) (\\S+) ?(.*)");
   private static final Pattern HAS = Pattern.compile("([a-z]) has (\\d+)");
   private static final Pattern ROBOT = Pattern.compile("([a-z]) (\\D+)");
@@ -78,6 +85,7 @@ final class FleetScenario {
   private static final Pattern WIDE = Pattern.compile("([a-z]) is ([0-9.]+) wide");
   private static final Pattern DRIVES = Pattern.compile("([a-z]) drives ([0-9.]+)");
   private static final Pattern TURNS = Pattern.compile("([a-z]) turns ([0-9.]+)");
+  private static final Pattern SIDEWAYS = Pattern.compile("([a-z]) cannot go sideways");
   private static final Pattern CARRIES = Pattern.compile("([a-z]) carries ([0-9.]+)");
   private static final Pattern ALLOCATES = Pattern.compile("allocates (\\S+)");
   private static final Pattern CANCEL = Pattern.compile("cancel (\\w+) ?(here|back)?");
@@ -90,6 +98,7 @@ final class FleetScenario {
   private final Map<String, Double> maxSpeeds = new HashMap<>();
   private final Map<String, Double> maxTurnRates = new HashMap<>();
   private final Map<String, Double> maxLoads = new HashMap<>();
+  private final Set<String> differential = new HashSet<>();
   private Policy policy = Policy.OPTIMAL;
   private ChargingRules charging = ChargingRules.USUAL;
   private final Map<String, Long> tasks = new HashMap<>();
@@ -103,6 +112,7 @@ final class FleetScenario {
       Matcher drives = DRIVES.matcher(line);
       Matcher turns = TURNS.matcher(line);
       Matcher carries = CARRIES.matcher(line);
+      Matcher sideways = SIDEWAYS.matcher(line);
       Matcher allocates = ALLOCATES.matcher(line);
       if (threshold.matches()) {
         charging = chargingRules(threshold.group(1), Integer.parseInt(threshold.group(2)));
@@ -112,6 +122,8 @@ final class FleetScenario {
         maxSpeeds.put(drives.group(1), Double.parseDouble(drives.group(2)));
       } else if (carries.matches()) {
         maxLoads.put(carries.group(1), Double.parseDouble(carries.group(2)));
+      } else if (sideways.matches()) {
+        differential.add(sideways.group(1));
       } else if (allocates.matches()) {
         policy = Policy.ofWord(allocates.group(1)).orElseThrow();
       } else if (turns.matches()) {
@@ -145,6 +157,8 @@ final class FleetScenario {
             stage.add(place.name(), place.position(), "P" + place.name(), null, maxLoad);
         robot.setStepsPerSegment(STEPS_A_SEGMENT);
         robot.setFootprint(diameters.getOrDefault(place.name(), ScriptedRobot.FOOTPRINT));
+        robot.setKind(
+            differential.contains(place.name()) ? DriveKind.DIFFERENTIAL : DriveKind.OMNI);
         robot.setMaxTurnRate(maxTurnRates.getOrDefault(place.name(), ScriptedRobot.MAX_TURN_RATE));
         robot.setMaxSpeed(maxSpeeds.getOrDefault(place.name(), ScriptedRobot.MAX_SPEED));
       }
@@ -169,6 +183,7 @@ final class FleetScenario {
   private boolean play(FleetStage stage, String line) throws Exception {
     Matcher expect = EXPECT.matcher(line);
     Matcher task = TASK.matcher(line);
+    Matcher refused = REFUSED.matcher(line);
     Matcher cancel = CANCEL.matcher(line);
     Matcher answer = ANSWER.matcher(line);
     Matcher hold = HOLD.matcher(line);
@@ -178,6 +193,14 @@ final class FleetScenario {
       return stage.becomesTrue(condition(stage, expect.group(1), expect.group(2), expect.group(3)));
     } else if (task.matches()) {
       submit(stage, task);
+    } else if (refused.matches()) {
+      return stage
+                  .fleet
+                  .submit(order(refused, null), "Clara")
+                  .toCompletableFuture()
+                  .get(10, TimeUnit.SECONDS)
+              instanceof Answer.Rejected<TaskView>(String _, Sentence why)
+          && contains(why, refused.group(5));
     } else if (cancel.matches()) {
       LoadChoice choice =
           cancel.group(2) == null
@@ -238,19 +261,22 @@ final class FleetScenario {
         task.group(5) == null
             ? null
             : stage.now.plus(Duration.ofSeconds(Long.parseLong(task.group(5))));
-    TaskOrder order =
-        new TaskOrder(
-            task.group(1),
-            Double.parseDouble(task.group(4)),
-            new Where.Station(task.group(2)),
-            new Where.Station(task.group(3)),
-            null,
-            0,
-            deadline,
-            null);
+    TaskOrder order = order(task, deadline);
     TaskView view = accepted(stage.fleet.submit(order, "Clara"));
     tasks.put(order.name(), view.id());
     answered.put(order.name(), view);
+  }
+
+  private static TaskOrder order(Matcher task, @Nullable Instant deadline) {
+    return new TaskOrder(
+        task.group(1),
+        Double.parseDouble(task.group(4)),
+        new Where.Station(task.group(2)),
+        new Where.Station(task.group(3)),
+        null,
+        0,
+        deadline,
+        null);
   }
 
   private Predicate<FleetSnapshot> condition(

@@ -197,6 +197,7 @@ class RobotLinesFuzzTest {
         List.of(),
         List.of(),
         null,
+        null,
         List.of());
   }
 }

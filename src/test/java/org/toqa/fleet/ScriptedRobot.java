@@ -30,6 +30,7 @@ import org.toqa.link.message.ServerMessage.Lead;
 import org.toqa.link.message.ServerMessage.Ping;
 import org.toqa.link.message.ServerMessage.Release;
 import org.toqa.link.message.ServerMessage.Resume;
+import org.toqa.motion.DriveKind;
 import org.toqa.motion.Segment;
 import org.toqa.wording.Sentence;
 
@@ -90,6 +91,11 @@ public final class ScriptedRobot {
    */
   synchronized void setFootprint(double diameter) {
     condition.footprint = diameter;
+  }
+
+  /** To be said before the server hears of it. */
+  synchronized void setKind(DriveKind kind) {
+    condition.kind = kind;
   }
 
   /**
@@ -417,6 +423,7 @@ public final class ScriptedRobot {
         condition.battery,
         List.of(),
         condition.obstacles,
+        null,
         null,
         condition.faults(formation.stopReason()));
   }

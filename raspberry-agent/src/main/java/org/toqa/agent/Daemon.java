@@ -228,6 +228,7 @@ public final class Daemon implements AutoCloseable {
     double seconds = Math.min((now - nanos) / 1e9, LONGEST_STEP_SECONDS);
     nanos = now;
     chassis.setLoad(control.load());
+    chassis.setSharedLoad(control.sharedLoad().orElse(null));
     control.update(chassis.exchange(command, now), now / 1e9);
     connections.process(messageHandler, now);
     broadcasts.takeAnswers().forEach(control::handle);

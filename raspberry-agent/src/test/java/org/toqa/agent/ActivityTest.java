@@ -28,7 +28,8 @@ import org.toqa.motion.Segment;
 class ActivityTest {
 
   private static final long TASK = 5;
-  private static final Follow FOLLOW = new Follow(9, TASK, "r9", null, new Vec2(-0.5, 0), 0.5);
+  private static final Follow FOLLOW =
+      new Follow(9, TASK, "r9", null, new Vec2(-0.5, 0), 0.5, null);
 
   @TempDir Path folder;
 
@@ -65,7 +66,7 @@ class ActivityTest {
     try (Rig rig = new Rig(folder)) {
       TestServer server = rig.connect();
       List<Follower> nobody = List.of(new Follower("r2", "127.0.0.1", 1, null));
-      server.assertAccepted(new Lead(1, TASK, 0.05, nobody));
+      server.assertAccepted(new Lead(1, TASK, 0.05, nobody, null));
       assertEquals(Role.LEADER, role(server));
 
       server.assertAccepted(FOLLOW);

@@ -102,7 +102,7 @@ class ClearedStopTest {
   void followerThatIsClearedFollowsNoMore() {
     server.assertAccepted(new Clear(11, List.of("STOP_SWITCH")));
     server.advance(Duration.ofSeconds(1));
-    server.assertAccepted(new Follow(12, 5, "r9", null, new Vec2(-0.5, 0), 0.5));
+    server.assertAccepted(new Follow(12, 5, "r9", null, new Vec2(-0.5, 0), 0.5, null));
     body().stop("STOP_EDGE");
     server.advance(Duration.ofSeconds(1));
     assertEquals(Role.FOLLOWER, server.state().role());

@@ -100,7 +100,8 @@ class EncryptedFormationTest {
                     "r1",
                     null,
                     FormationRig.SHAPE.offsets().get(0),
-                    FormationRig.TOLERANCE));
+                    FormationRig.TOLERANCE,
+                    null));
 
     assertEquals("r2 is paired: it knows its leader by the fingerprint, which is missing.", reason);
   }
@@ -112,7 +113,7 @@ class EncryptedFormationTest {
         group
             .server(0)
             .rejectReason(
-                new Lead(1, FormationRig.TASK, FormationRig.TOLERANCE, List.of(follower)));
+                new Lead(1, FormationRig.TASK, FormationRig.TOLERANCE, List.of(follower), null));
 
     assertTrue(reason.startsWith("The fingerprint of r2 is null or has 64"), reason);
   }

@@ -116,9 +116,10 @@ final class FormationRig implements AutoCloseable {
           new Follower(name(i), "127.0.0.1", robots.get(i).daemon().port(), fingerprint(i)));
       server(i)
           .assertAccepted(
-              new Follow(1, TASK, name(0), fingerprint(0), SHAPE.offsets().get(i - 1), TOLERANCE));
+              new Follow(
+                  1, TASK, name(0), fingerprint(0), SHAPE.offsets().get(i - 1), TOLERANCE, null));
     }
-    server(0).assertAccepted(new Lead(1, TASK, TOLERANCE, followers));
+    server(0).assertAccepted(new Lead(1, TASK, TOLERANCE, followers, null));
     server(0).assertAccepted(new Drive(2, TASK, 2, LEADER, segments, segments.size(), true, 0));
   }
 

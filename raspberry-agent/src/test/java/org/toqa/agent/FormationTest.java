@@ -147,17 +147,17 @@ class FormationTest {
 
     assertEquals(
         "r2 cannot follow itself.",
-        server.rejectReason(new Follow(1, 7, "r2", null, beside, 0.05)));
+        server.rejectReason(new Follow(1, 7, "r2", null, beside, 0.05, null)));
     assertEquals(
         "The place is 0.05 m from the leader; it must be from 0.13 to 50 m.",
-        server.rejectReason(new Follow(2, 7, "r1", null, new Vec2(0.05, 0), 0.05)));
+        server.rejectReason(new Follow(2, 7, "r1", null, new Vec2(0.05, 0), 0.05, null)));
     assertEquals(
         "The tolerance must be more than 0 and at most 0.5 m, not 0.000.",
-        server.rejectReason(new Follow(3, 7, "r1", null, beside, 0)));
+        server.rejectReason(new Follow(3, 7, "r1", null, beside, 0, null)));
     assertEquals(
         "A leader has 1 to 11 followers, not 0.",
-        server.rejectReason(new Lead(4, 7, 0.05, List.of())));
-    server.assertAccepted(new Follow(5, 7, "r1", null, beside, 0.05));
+        server.rejectReason(new Lead(4, 7, 0.05, List.of(), null)));
+    server.assertAccepted(new Follow(5, 7, "r1", null, beside, 0.05, null));
     assertEquals(
         "The robot follows r1; wait for the formation's end or send cancel.",
         server.rejectReason(

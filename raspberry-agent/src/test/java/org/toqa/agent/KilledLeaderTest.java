@@ -44,9 +44,14 @@ class KilledLeaderTest {
         DaemonProcess follower = DaemonProcess.launch(configuration("r2", 1));
         FormationServer ofLeader = FormationServer.plain(leader.port());
         FormationServer ofFollower = FormationServer.plain(follower.port())) {
-      ofFollower.assertAccepted(new Follow(1, TASK, "r1", null, new Vec2(-1, 0), 0.05));
+      ofFollower.assertAccepted(new Follow(1, TASK, "r1", null, new Vec2(-1, 0), 0.05, null));
       ofLeader.assertAccepted(
-          new Lead(1, TASK, 0.05, List.of(new Follower("r2", "127.0.0.1", follower.port(), null))));
+          new Lead(
+              1,
+              TASK,
+              0.05,
+              List.of(new Follower("r2", "127.0.0.1", follower.port(), null)),
+              null));
       List<Segment> segments = List.of(new Segment(SPEED, 0, 60));
       ofLeader.assertAccepted(new Drive(2, TASK, 2, START, segments, 1, true, 0));
       ofFollower.awaitState(s -> s.mode() == Mode.FOLLOWING && s.pose().x() > 1.2);

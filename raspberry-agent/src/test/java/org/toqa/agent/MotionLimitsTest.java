@@ -38,7 +38,7 @@ class MotionLimitsTest {
         new ChassisConfig.Simulated(Rig.START, SimulatedBattery.FULL, 0, 7, 1, witness);
     try (Rig rig = new Rig(folder, body)) {
       TestServer server = rig.connect();
-      server.assertAccepted(new Follow(1, 5, "r9", null, new Vec2(-0.5, 0), 0.5));
+      server.assertAccepted(new Follow(1, 5, "r9", null, new Vec2(-0.5, 0), 0.5, null));
       TestServer leader = rig.connect();
       for (int word = 1; word <= 20; word++) {
         Pose ahead = server.pose().compose(new Pose(0.5, 0, 0));

@@ -322,6 +322,7 @@ final class AllocationRun {
         robot.spec.maxLoad(),
         AllocationWorkload.DIAMETER,
         robot.spec.speed(),
+        true,
         robot.path == null ? robot.position : robot.path.positionAt(now),
         robot.spec.home(),
         null,

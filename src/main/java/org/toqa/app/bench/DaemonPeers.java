@@ -73,7 +73,7 @@ final class DaemonPeers implements AutoCloseable {
     ServerMessage.Follower follower =
         new ServerMessage.Follower(
             "r2", LOOPBACK.getHostAddress(), followerSocket.getLocalPort(), null);
-    send(new ServerMessage.Lead(1, TASK, 0.05, List.of(follower)));
+    send(new ServerMessage.Lead(1, TASK, 0.05, List.of(follower), null));
     send(
         new ServerMessage.Drive(
             2, TASK, 2, START, LONG_TRAJECTORY, LONG_TRAJECTORY.size(), true, 0));

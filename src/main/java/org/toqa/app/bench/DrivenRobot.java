@@ -314,6 +314,7 @@ final class DrivenRobot implements AutoCloseable {
         List.of(),
         List.of(),
         null,
+        null,
         faults());
   }
 

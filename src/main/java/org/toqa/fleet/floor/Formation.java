@@ -39,13 +39,26 @@ record Formation(Shape shape, Pose load, LoadSize size, FormationFootprint group
   }
 
   /**
+   * Where a robot holds the load, in its own frame as it stands at its place.
+   *
+   * @param index as in {@link #pose}
+   */
+  Optional<Vec2> holdFrom(int index, List<Double> shares) {
+    return holds(shares).map(points -> points.get(index).minus(place(index)));
+  }
+
+  /**
    * Where each robot is to pick the load up; all face alike.
    *
    * @param index of the robot among the mission's, 0 for the leader
    */
   Pose pose(int index) {
-    Vec2 place = index == 0 ? shape.leader() : shape.followers().get(index - 1);
+    Vec2 place = place(index);
     return load.compose(new Pose(place.x(), place.y(), 0));
+  }
+
+  private Vec2 place(int index) {
+    return index == 0 ? shape.leader() : shape.followers().get(index - 1);
   }
 
   /** Where a follower keeps its place, in the leader's frame. */

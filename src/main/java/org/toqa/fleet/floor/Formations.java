@@ -17,6 +17,7 @@ import org.toqa.formation.FollowerLawType;
 import org.toqa.geometry.Pose;
 import org.toqa.geometry.Vec2;
 import org.toqa.link.message.AgentMessage.Role;
+import org.toqa.link.message.ServerMessage.CarriedPart;
 import org.toqa.link.message.ServerMessage.Follower;
 import org.toqa.mission.AssignedRobot;
 import org.toqa.mission.Mission;
@@ -32,6 +33,9 @@ import org.toqa.wording.Sentence;
  * traffic knows the leader alone, with the whole group's cells; the followers are no robots of it.
  */
 final class Formations {
+  /** Metres by which a group that picks up a load may take itself to be beside its place. */
+  private static final double AT_OBJECT = 0.25;
+
   private final FloorState state;
   private final FormationPlacement places;
   private final Map<Key, Optional<Formation>> formations = new HashMap<>();
@@ -119,8 +123,23 @@ final class Formations {
                 new HeldLoad(
                     mission.id(),
                     IntStream.range(0, team.size())
-                        .mapToObj(i -> new HoldPoint(team.get(i), points.get(i), shares.get(i)))
+                        .mapToObj(
+                            i ->
+                                new HoldPoint(
+                                    team.get(i),
+                                    points.get(i),
+                                    shares.get(i),
+                                    measuredShare(mission, team.get(i))))
                         .toList()));
+  }
+
+  /** Kilograms, in tenths; null where the robot carries nothing yet, or cannot say. */
+  private @Nullable Double measuredShare(Mission mission, String robot) {
+    FloorRobot known = state.robots.get(robot);
+    Double measured = known == null ? null : known.reported.report().readings().measuredLoad();
+    return measured == null || mission.state() != TaskState.CARRYING
+        ? null
+        : Double.valueOf(Math.round(10 * measured) / 10.0);
   }
 
   private double maxLoad(String robot) {
@@ -262,6 +281,7 @@ final class Formations {
         leader == null ? null : leader.fingerprint(),
         formation.offset(index(mission, robot.name())),
         formation.tolerance(),
+        carriedPart(mission, robot.name()),
         Objects.requireNonNull(robot.reported.pose()));
   }
 
@@ -274,7 +294,34 @@ final class Formations {
             .filter(Objects::nonNull)
             .map(r -> new Follower(r.name(), r.record().host(), r.record().port(), r.fingerprint()))
             .toList();
-    return new RobotMessage.Lead(mission.id(), of(mission).orElseThrow().tolerance(), followers);
+    return new RobotMessage.Lead(
+        mission.id(),
+        of(mission).orElseThrow().tolerance(),
+        followers,
+        carriedPart(mission, leader(mission)));
+  }
+
+  /** What the robot has of the load, and where; null where the robots cannot hold it so. */
+  private @Nullable CarriedPart carriedPart(Mission mission, String robot) {
+    List<String> team = mission.assignedRobots().stream().map(AssignedRobot::robot).toList();
+    List<Double> shares = team.stream().map(member -> share(mission, member)).toList();
+    int index = team.indexOf(robot);
+    return of(mission)
+        .flatMap(formation -> formation.holdFrom(index, shares))
+        .map(
+            point ->
+                new CarriedPart(
+                    shares.get(index), mission.task().load(), point, loadMiddle(mission)))
+        .orElse(null);
+  }
+
+  /** Where the load is picked up, or where robots are with it that were interrupted. */
+  private Vec2 loadMiddle(Mission mission) {
+    Vec2 object = mission.object().position();
+    Pose onBoard = loadPose(mission);
+    return onBoard == null || onBoard.position().distanceTo(object) < AT_OBJECT
+        ? object
+        : onBoard.position();
   }
 
   /** Where the load of a group is while it is on board; null where nobody knows. */

@@ -30,17 +30,18 @@ public final class TeamRoomCheck {
   /**
    * Why so many robots cannot carry it, and where; empty if they can, or one does.
    *
-   * @param diameter of the largest of them, metres; robots that go in any direction
+   * @param diameter of the largest of them, metres
+   * @param law the one that asks the most, of those that they follow by
    */
-  public Optional<Sentence> objection(Mission mission, int robots, double diameter) {
+  public Optional<Sentence> objection(
+      Mission mission, int robots, double diameter, FollowerLawType law) {
     if (robots < 2) {
       return Optional.empty();
     }
     Vec2 object = mission.object().position();
     Vec2 goal = mission.task().goal().position();
     LoadSize size = Objects.requireNonNullElse(mission.task().size(), LoadSize.DEFAULT);
-    List<Formation> around =
-        places.around(object, robots, size, diameter / 2, FollowerLawType.OMNI);
+    List<Formation> around = places.around(object, robots, size, diameter / 2, law);
     FormationPaths paths = new FormationPaths(grid, margins, goal);
     if (around.stream().anyMatch(f -> paths.hasPath(f.group(), f.pose(0)))) {
       return Optional.empty();

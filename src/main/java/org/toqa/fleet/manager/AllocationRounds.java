@@ -47,9 +47,6 @@ import org.toqa.wording.Sentence;
 final class AllocationRounds {
   private static final Logger log = LoggerFactory.getLogger(AllocationRounds.class);
 
-  /** Then other robots may be free, narrower ones, and the load or its goal elsewhere. */
-  private static final Duration ROOM_RETRY = Duration.ofMinutes(1);
-
   /** Whoever has not answered in a round may do so in one that is so much later. */
   private static final Duration NEXT_ROUND = Duration.ofSeconds(5);
 
@@ -68,8 +65,7 @@ final class AllocationRounds {
   /** By floor and task: what the last round said of those that wait. */
   private final Map<String, Map<Long, Sentence>> reasons = new HashMap<>();
 
-  /** Tasks for several robots that had no room round the load; tried again after a while. */
-  private final Map<Long, NoRoom> tasksWithoutRoom = new HashMap<>();
+  private final RoomFindings rooms = new RoomFindings();
 
   /** Floors with a running round. */
   private final Set<String> deciding = new HashSet<>();
@@ -81,13 +77,6 @@ final class AllocationRounds {
 
   /** By floor: tasks of its running round of which something else was ordered since it began. */
   private final Map<String, Set<Long>> editedInRound = new HashMap<>();
-
-  /**
-   * That a team had no room.
-   *
-   * @param until when the task is tried again
-   */
-  private record NoRoom(Sentence why, Instant until) {}
 
   AllocationRounds(
       FleetState fleet, RoundDecider decider, PathQuery paths, ActorRef<ManagerMessage> self) {
@@ -103,7 +92,7 @@ final class AllocationRounds {
    * @param before the task as it was
    */
   void taskEdited(TransportTask before) {
-    tasksWithoutRoom.remove(before.id());
+    rooms.forget(before.id());
     reasons.getOrDefault(before.floor(), new HashMap<>()).remove(before.id());
     if (deciding.contains(before.floor())) {
       editedInRound.computeIfAbsent(before.floor(), _ -> new HashSet<>()).add(before.id());
@@ -124,7 +113,7 @@ final class AllocationRounds {
 
   /** Lets the allocator decide, on a thread of its own, on each floor where it is time. */
   void beginDueRounds() {
-    endNoRooms();
+    retryTeams();
     nextRounds
         .entrySet()
         .removeIf(
@@ -137,19 +126,11 @@ final class AllocationRounds {
     }
   }
 
-  /** It is time to try them again; what was said of them is said until the next round is over. */
-  private void endNoRooms() {
-    Instant now = fleet.clock.instant();
-    tasksWithoutRoom
-        .entrySet()
-        .removeIf(
-            entry -> {
-              boolean isOver = !now.isBefore(entry.getValue().until());
-              if (isOver) {
-                fleet.queue.get(entry.getKey()).ifPresent(q -> tryAgain(q, entry.getValue().why()));
-              }
-              return isOver;
-            });
+  /** What was said of them is said until the next round is over. */
+  private void retryTeams() {
+    rooms
+        .takeDue(fleet.clock.instant())
+        .forEach((task, why) -> fleet.queue.get(task).ifPresent(queued -> tryAgain(queued, why)));
   }
 
   private void tryAgain(TaskQueue.Queued queued, Sentence why) {
@@ -167,15 +148,20 @@ final class AllocationRounds {
     double strongestOfAll = robotsHere.stream().mapToDouble(Candidate::maxLoad).max().orElse(0);
     boolean isAnyFree = strongest > 0;
     List<AllocationTask> jobs =
-        fleet.queue.firstJobs(
-            floor.name(),
-            queued ->
-                fleet.legs.reasonToWait(queued.task()).isEmpty()
-                    && (queued.task().load() <= strongest
-                        || (isAnyFree
-                            && queued.task().load() > strongestOfAll
-                            && !tasksWithoutRoom.containsKey(queued.task().id()))),
-            FleetState.TASKS_CONSIDERED);
+        fleet
+            .queue
+            .firstJobs(
+                floor.name(),
+                queued ->
+                    fleet.legs.reasonToWait(queued.task()).isEmpty()
+                        && (queued.task().load() <= strongest
+                            || (isAnyFree
+                                && queued.task().load() > strongestOfAll
+                                && !rooms.isWithoutRoom(queued.task().id()))),
+                FleetState.TASKS_CONSIDERED)
+            .stream()
+            .map(rooms::restricted)
+            .toList();
     if (jobs.isEmpty()) {
       reasons.remove(floor.name());
       fleet.changed = true;
@@ -301,14 +287,14 @@ final class AllocationRounds {
                 .get(id)
                 .ifPresent(queued -> assign(queued, chosen, why, m.teams().get(id), free));
         case Decision.Unassigned(long id, Sentence why, List<String> drained) -> {
-          waiting.put(id, why);
+          waiting.put(id, rooms.explained(id, why));
           if (!drained.isEmpty()) {
             floor.tell(new FloorMessage.RechargeRobots(drained, id));
           }
         }
       }
     }
-    tasksWithoutRoom.keySet().removeIf(task -> fleet.queue.get(task).isEmpty());
+    rooms.retain(task -> fleet.queue.get(task).isPresent());
     reasons.put(m.floor(), waiting);
   }
 
@@ -340,9 +326,8 @@ final class AllocationRounds {
                 && team.isAbout(mission, team(fleet.candidates(mission.task().floor()), chosen)));
     Optional<Sentence> objection =
         team != null && isTeamKnown ? team.objection() : Optional.empty();
-    if (objection.isPresent()) {
-      tasksWithoutRoom.put(
-          mission.id(), new NoRoom(objection.get(), fleet.clock.instant().plus(ROOM_RETRY)));
+    if (team != null && objection.isPresent()) {
+      rooms.add(mission.id(), team.question(), objection.get(), fleet.clock.instant());
     }
     if (isTeamKnown && objection.isEmpty() && free.containsAll(chosen)) {
       takeFromQueue(mission.id()).ifPresent(taken -> handOver(taken, chosen, why));
@@ -395,7 +380,7 @@ final class AllocationRounds {
   boolean isBlocked(TaskQueue.Queued queued, @Nullable WaitExplainer plain) {
     return !queued.mission().held()
         && (fleet.legs.isStopped(queued.task())
-            || tasksWithoutRoom.containsKey(queued.task().id())
+            || rooms.isWithoutRoom(queued.task().id())
             || (plain != null && plain.isImpossible(queued.job())));
   }
 
@@ -405,9 +390,9 @@ final class AllocationRounds {
     if (legBefore.isPresent()) {
       return legBefore.get();
     }
-    NoRoom noRoom = tasksWithoutRoom.get(queued.task().id());
-    if (noRoom != null) {
-      return noRoom.why();
+    Optional<Sentence> noRoom = rooms.reason(queued.task().id());
+    if (noRoom.isPresent()) {
+      return noRoom.get();
     }
     Sentence said = reasons.getOrDefault(queued.task().floor(), Map.of()).get(queued.task().id());
     if (said != null) {

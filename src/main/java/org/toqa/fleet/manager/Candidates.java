@@ -11,6 +11,7 @@ import org.toqa.geometry.Pose;
 import org.toqa.geometry.Vec2;
 import org.toqa.grid.FloorMap;
 import org.toqa.grid.Place;
+import org.toqa.motion.DriveKind;
 
 /** A floor's robots, as reported by it, as an allocator's input. */
 final class Candidates {
@@ -42,6 +43,7 @@ final class Candidates {
         robot.maxLoad(),
         robot.capabilities().footprint(),
         robot.speed(),
+        robot.capabilities().kind() == DriveKind.OMNI,
         position,
         parking,
         robot.telemetry().battery(),

@@ -3,7 +3,7 @@ package org.toqa.fleet.manager;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Map;
-import java.util.Optional;
+import java.util.stream.Stream;
 import org.toqa.allocation.Candidate;
 import org.toqa.allocation.TeamSize;
 import org.toqa.mission.TransportTask;
@@ -17,16 +17,33 @@ import org.toqa.mission.TransportTask;
 record Capacity(double total, Map<String, List<Candidate>> robots) {
 
   /**
-   * The smallest team whose maximum loads add up to the load, of the narrowest robots; empty where
-   * one robot carries it, or none of the teams that there are.
+   * The teams whose room is looked at: the smallest whose maximum loads add up to the load, of the
+   * narrowest robots, and the same of those alone that can go sideways, which take tighter corners.
+   * Empty where one robot carries it, or no team that there is.
    */
-  Optional<List<Candidate>> narrowestTeam(TransportTask task) {
+  List<List<Candidate>> narrowestTeams(TransportTask task) {
+    return narrowestTeams(task, robots.getOrDefault(task.floor(), List.of()));
+  }
+
+  /**
+   * The same of these.
+   *
+   * @param robots of the task's floor
+   */
+  static List<List<Candidate>> narrowestTeams(TransportTask task, List<Candidate> robots) {
     List<Candidate> narrowestFirst =
-        robots.getOrDefault(task.floor(), List.of()).stream()
-            .sorted(Comparator.comparingDouble(Candidate::diameter))
-            .toList();
-    return TeamSize.smallest(task.load(), narrowestFirst)
-        .filter(size -> size > 1)
-        .map(size -> TeamSize.first(task.load(), size, narrowestFirst));
+        robots.stream().sorted(Comparator.comparingDouble(Candidate::diameter)).toList();
+    if (TeamSize.smallest(task.load(), narrowestFirst).filter(size -> size > 1).isEmpty()) {
+      return List.of();
+    }
+    return Stream.of(
+            narrowestFirst, narrowestFirst.stream().filter(Candidate::isOmnidirectional).toList())
+        .flatMap(
+            among ->
+                TeamSize.smallest(task.load(), among)
+                    .map(size -> TeamSize.first(task.load(), size, among))
+                    .stream())
+        .distinct()
+        .toList();
   }
 }

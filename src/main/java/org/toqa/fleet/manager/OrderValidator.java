@@ -184,24 +184,15 @@ final class OrderValidator {
       return CompletableFuture.completedFuture(checked);
     }
     Mission mission = Mission.queued(task);
-    return capacity
-        .narrowestTeam(task)
-        .map(
-            team ->
-                paths
-                    .objectionToTeam(
-                        floor(task.floor()).orElseThrow(),
-                        mission,
-                        PathQuery.TeamQuestion.of(mission, team),
-                        check)
-                    .exceptionally(OrderValidator::noObjectionInTime)
-                    .thenApply(
-                        objection ->
-                            objection
-                                .<Answer<TransportTask>>map(
-                                    why -> new Answer.Rejected<>("load", why))
-                                .orElse(checked)))
-        .orElse(CompletableFuture.completedFuture(checked));
+    return paths
+        .objectionToTeams(
+            floor(task.floor()).orElseThrow(), mission, capacity.narrowestTeams(task), check)
+        .exceptionally(OrderValidator::noObjectionInTime)
+        .thenApply(
+            objection ->
+                objection
+                    .<Answer<TransportTask>>map(why -> new Answer.Rejected<>("load", why))
+                    .orElse(checked));
   }
 
   private static Optional<Sentence> noObjectionInTime(Throwable failure) {

@@ -15,6 +15,7 @@ import org.jspecify.annotations.Nullable;
 import org.toqa.allocation.Candidate;
 import org.toqa.fleet.RobotCapabilities;
 import org.toqa.fleet.floor.TeamRoomCheck;
+import org.toqa.formation.FollowerLawType;
 import org.toqa.geometry.Pose;
 import org.toqa.geometry.Vec2;
 import org.toqa.geometry.Waypoint;
@@ -32,6 +33,7 @@ import org.toqa.planning.SearchLimit;
 import org.toqa.traffic.Deadline;
 import org.toqa.traffic.floor.FloorTraffic;
 import org.toqa.traffic.mapf.LacamJointPlanner;
+import org.toqa.wording.Phrase;
 import org.toqa.wording.Sentence;
 
 /**
@@ -87,26 +89,36 @@ final class PathQuery {
    *
    * @param object where the load is
    * @param diameter of the largest robot, metres
+   * @param law the one that asks the most, of those that they follow by
    * @param size of the load; null: not told
    */
   record TeamQuestion(
-      TaskPlace object, TaskPlace goal, int robots, double diameter, @Nullable LoadSize size) {
+      TaskPlace object,
+      TaskPlace goal,
+      int robots,
+      double diameter,
+      FollowerLawType law,
+      @Nullable LoadSize size) {
 
     /** About these, who are to carry it together. */
     static TeamQuestion of(Mission mission, List<Candidate> team) {
-      return of(
-          mission,
+      return new TeamQuestion(
+          mission.object(),
+          mission.task().goal(),
           team.size(),
           team.stream()
               .mapToDouble(Candidate::diameter)
               .max()
-              .orElse(RobotCapabilities.UNKNOWN.footprint()));
+              .orElse(RobotCapabilities.UNKNOWN.footprint()),
+          team.stream().allMatch(Candidate::isOmnidirectional)
+              ? FollowerLawType.OMNI
+              : FollowerLawType.NON_HOLONOMIC,
+          mission.task().size());
     }
 
-    /** About so many that are no wider than that. */
-    static TeamQuestion of(Mission mission, int robots, double diameter) {
-      return new TeamQuestion(
-          mission.object(), mission.task().goal(), robots, diameter, mission.task().size());
+    /** Whether they may lack room because one of them cannot go sideways. */
+    boolean hasDifferential() {
+      return law == FollowerLawType.NON_HOLONOMIC;
     }
   }
 
@@ -156,6 +168,21 @@ final class PathQuery {
         : CompletableFuture.completedFuture(known);
   }
 
+  /** Why none of these teams has room for it; empty if one has, or there is none. */
+  CompletableFuture<Optional<Sentence>> objectionToTeams(
+      FloorMap floor, Mission mission, List<List<Candidate>> teams, OrderChecks.Check check) {
+    CompletableFuture<Optional<Sentence>> first =
+        teams.isEmpty()
+            ? CompletableFuture.completedFuture(Optional.empty())
+            : objectionToTeam(floor, mission, TeamQuestion.of(mission, teams.getFirst()), check);
+    return first.thenCompose(
+        objection ->
+            objection.isEmpty() || teams.size() == 1
+                ? CompletableFuture.completedFuture(objection)
+                : objectionToTeams(floor, mission, teams.subList(1, teams.size()), check)
+                    .thenApply(ofOthers -> ofOthers.isEmpty() ? ofOthers : objection));
+  }
+
   private Optional<Sentence> remember(TeamKey key, Optional<Sentence> objection) {
     teams.synchronous().put(key, objection);
     return objection;
@@ -164,7 +191,8 @@ final class PathQuery {
   private static Optional<Sentence> objection(
       FloorMap floor, Mission mission, TeamQuestion question) {
     return new TeamRoomCheck(floor.grid(), floor.margins())
-        .objection(mission, question.robots(), question.diameter());
+        .objection(mission, question.robots(), question.diameter(), question.law())
+        .map(why -> question.hasDifferential() ? Phrase.WITH_DIFFERENTIAL.with(why) : why);
   }
 
   /** Passed when the check that is worked for on this thread is out of time. */

@@ -2,18 +2,19 @@ package org.toqa.fleet.manager;
 
 import java.time.Instant;
 import java.util.List;
+import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import org.toqa.allocation.AllocationProblem;
 import org.toqa.allocation.Candidate;
 import org.toqa.allocation.Decision;
 import org.toqa.allocation.TeamSize;
-import org.toqa.fleet.RobotCapabilities;
 import org.toqa.fleet.TaskPreview;
 import org.toqa.fleet.floor.PlaceCheck;
 import org.toqa.geometry.Vec2;
 import org.toqa.grid.FloorMap;
 import org.toqa.mission.Mission;
 import org.toqa.mission.TransportTask;
+import org.toqa.wording.Sentence;
 
 /**
  * Tells what would become of a task that nobody has asked for yet. Any thread may ask; nothing is
@@ -45,7 +46,7 @@ final class TaskPreviewer {
     return check
         .run(() -> new Inquiry(decider.inquire(task.floor(), problem, Runnable::run, now)))
         .thenCompose(Inquiry::decision)
-        .thenCompose(decision -> preview(task, problem, decision));
+        .thenCompose(decision -> preview(task, problem, decision, now));
   }
 
   /**
@@ -54,38 +55,45 @@ final class TaskPreviewer {
   private record Inquiry(CompletableFuture<Decision> decision) {}
 
   private CompletableFuture<TaskPreview> preview(
-      TransportTask task, AllocationProblem problem, Decision decision) {
+      TransportTask task, AllocationProblem problem, Decision decision, Instant now) {
+    List<String> chosen = chosen(decision);
+    List<Candidate> team =
+        problem.robots().stream().filter(r -> chosen.contains(r.robot())).toList();
+    return objection(task, problem, team)
+        .thenCompose(
+            noRoom ->
+                noRoom.isPresent() && hasDifferential(team)
+                    ? preview(task, problem.forOmnidirectional(), now)
+                    : preview(task, problem, decision, noRoom));
+  }
+
+  private CompletableFuture<TaskPreview> preview(
+      TransportTask task, AllocationProblem problem, Decision decision, Optional<Sentence> noRoom) {
     List<String> chosen = chosen(decision);
     int robots =
         chosen.isEmpty()
             ? TeamSize.smallest(task.load(), problem.robots()).orElse(0)
             : chosen.size();
     return path(task)
-        .thenCombine(
-            paths.objectionToTeam(
-                floor, Mission.queued(task), question(task, chosen, robots, problem), check),
-            (path, noRoom) ->
+        .thenApply(
+            path ->
                 noRoom
                     .map(objection -> new TaskPreview(robots, List.of(), objection, path))
                     .orElseGet(() -> new TaskPreview(robots, chosen, decision.reason(), path)));
   }
 
-  /** Where nobody is chosen yet, about the narrowest that there are. */
-  private static PathQuery.TeamQuestion question(
-      TransportTask task, List<String> chosen, int robots, AllocationProblem problem) {
-    Mission mission = Mission.queued(task);
-    if (!chosen.isEmpty()) {
-      return PathQuery.TeamQuestion.of(
-          mission, problem.robots().stream().filter(r -> chosen.contains(r.robot())).toList());
-    }
-    double narrowest =
-        problem.robots().stream()
-            .mapToDouble(Candidate::diameter)
-            .sorted()
-            .limit(Math.max(1, robots))
-            .max()
-            .orElse(RobotCapabilities.UNKNOWN.footprint());
-    return PathQuery.TeamQuestion.of(mission, robots, narrowest);
+  private static boolean hasDifferential(List<Candidate> team) {
+    return team.size() > 1 && !team.stream().allMatch(Candidate::isOmnidirectional);
+  }
+
+  /** Where nobody is chosen yet, to the narrowest that there are. */
+  private CompletableFuture<Optional<Sentence>> objection(
+      TransportTask task, AllocationProblem problem, List<Candidate> team) {
+    return paths.objectionToTeams(
+        floor,
+        Mission.queued(task),
+        team.isEmpty() ? Capacity.narrowestTeams(task, problem.robots()) : List.of(team),
+        check);
   }
 
   private static List<String> chosen(Decision decision) {

@@ -89,7 +89,7 @@ final class DriveSender {
             commands.nextNumber(), m.task(), Phase.TO_GOAL, new Trajectory(m.pose(), List.of())),
         (n, _) ->
             new ServerMessage.Follow(
-                n, m.task(), m.leader(), m.fingerprint(), m.offset(), m.tolerance()));
+                n, m.task(), m.leader(), m.fingerprint(), m.offset(), m.tolerance(), m.carries()));
   }
 
   private void begin(StoredDrive next, CommandQueue.DriveCommand command) {

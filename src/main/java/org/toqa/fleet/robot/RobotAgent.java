@@ -123,7 +123,9 @@ public final class RobotAgent extends AbstractBehavior<RobotMessage> {
       case RobotMessage.Drive m -> drives.start(m);
       case RobotMessage.Lead m ->
           commands.sendInOrder(
-              0, (n, _) -> new ServerMessage.Lead(n, m.task(), m.tolerance(), m.followers()));
+              0,
+              (n, _) ->
+                  new ServerMessage.Lead(n, m.task(), m.tolerance(), m.followers(), m.carries()));
       case RobotMessage.Follow m -> drives.follow(m);
       case RobotMessage.Extend m -> drives.extend(m);
       case RobotMessage.Release m -> drives.release(m.released());

@@ -14,6 +14,7 @@ import org.toqa.geometry.Pose;
 import org.toqa.geometry.Vec2;
 import org.toqa.link.message.AgentMessage;
 import org.toqa.link.message.AgentMessage.Hello;
+import org.toqa.link.message.ServerMessage.CarriedPart;
 import org.toqa.link.message.ServerMessage.Follower;
 import org.toqa.mission.Phase;
 import org.toqa.motion.Segment;
@@ -43,8 +44,13 @@ public sealed interface RobotMessage {
   record Extend(int from, List<Segment> segments, int released, boolean last)
       implements RobotMessage {}
 
-  /** Lead these robots with the drive that comes next. */
-  record Lead(long task, double tolerance, List<Follower> followers) implements RobotMessage {}
+  /**
+   * Lead these robots with the drive that comes next.
+   *
+   * @param carries its part of the load; null: not known
+   */
+  record Lead(long task, double tolerance, List<Follower> followers, @Nullable CarriedPart carries)
+      implements RobotMessage {}
 
   /**
    * Keep a place beside a leader.
@@ -52,6 +58,7 @@ public sealed interface RobotMessage {
    * @param fingerprint of the leader's certificate; null: it was never paired
    * @param offset in the leader's frame, metres
    * @param tolerance metres
+   * @param carries its part of the load; null: not known
    * @param pose where the robot is now, map frame
    */
   record Follow(
@@ -60,6 +67,7 @@ public sealed interface RobotMessage {
       @Nullable String fingerprint,
       Vec2 offset,
       double tolerance,
+      @Nullable CarriedPart carries,
       Pose pose)
       implements RobotMessage {}
 

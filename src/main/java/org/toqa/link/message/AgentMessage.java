@@ -101,6 +101,8 @@ public sealed interface AgentMessage {
    * @param battery 0 to 1
    * @param ranges metres, in the order of the robot's range sensors
    * @param placeError metres off its place beside its leader; null: it does not follow
+   * @param measuredLoad kilograms that it bears, as its body measures; null: it has nothing on
+   *     board, or no scale
    */
   record State(
       long stamp,
@@ -118,6 +120,7 @@ public sealed interface AgentMessage {
       List<Double> ranges,
       List<Vec2> obstacles,
       @JsonSetter(nulls = Nulls.SET) @Nullable Double placeError,
+      @JsonSetter(nulls = Nulls.SET) @Nullable Double measuredLoad,
       List<Fault> errors)
       implements AgentMessage {
 
@@ -139,6 +142,7 @@ public sealed interface AgentMessage {
           ranges,
           seen,
           placeError,
+          measuredLoad,
           errors);
     }
   }

@@ -223,6 +223,7 @@ public final class LinkCodec {
   private static void addMissingFields(JsonNode message) {
     switch (message.path("type").asString("")) {
       case "drive" -> addIfMissing(message, "load", 0);
+      case "lead", "follow" -> addNullIfMissing(message, "carries");
       case "pair" -> addNullIfMissing(message, "robot");
       case "hello" -> {
         addIfMissing(message, "maxTurnRate", MAX_TURN_RATE_NOT_SENT);
@@ -231,6 +232,7 @@ public final class LinkCodec {
       }
       case "state" -> {
         addNullIfMissing(message, "placeError");
+        addNullIfMissing(message, "measuredLoad");
         message.path("errors").valueStream().forEach(error -> addIfMissing(error, "clearable"));
       }
       default -> {}

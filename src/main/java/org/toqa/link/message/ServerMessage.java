@@ -95,8 +95,25 @@ public sealed interface ServerMessage {
    * Lead these robots with the drive that comes next.
    *
    * @param tolerance metres that a follower may be off its place
+   * @param carries its part of the load; null: nobody has said
    */
-  record Lead(long seq, long task, double tolerance, List<Follower> followers) implements Command {}
+  record Lead(
+      long seq,
+      long task,
+      double tolerance,
+      List<Follower> followers,
+      @JsonSetter(nulls = Nulls.SET) @Nullable CarriedPart carries)
+      implements Command {}
+
+  /**
+   * What a robot has of a load that several carry.
+   *
+   * @param share kilograms that it is to bear
+   * @param load kilograms of the whole load
+   * @param point where it holds the load, metres, in the robot's frame
+   * @param middle of the load as it is picked up, its centre of mass: metres, map frame
+   */
+  record CarriedPart(double share, double load, Vec2 point, Vec2 middle) {}
 
   /**
    * Where a leader connects to a follower.
@@ -116,6 +133,7 @@ public sealed interface ServerMessage {
    * @param fingerprint of the leader's certificate; null where the link is not encrypted
    * @param offset metres, in the leader's frame: x forward, y left
    * @param tolerance metres that the robot may be off its place
+   * @param carries its part of the load; null: nobody has said
    */
   record Follow(
       long seq,
@@ -123,7 +141,8 @@ public sealed interface ServerMessage {
       String leader,
       @JsonSetter(nulls = Nulls.SET) @Nullable String fingerprint,
       Vec2 offset,
-      double tolerance)
+      double tolerance,
+      @JsonSetter(nulls = Nulls.SET) @Nullable CarriedPart carries)
       implements Command {}
 
   /** Stop within the limits, and stay stopped until {@link Resume}. */

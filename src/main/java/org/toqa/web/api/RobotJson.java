@@ -42,6 +42,7 @@ public record RobotJson(
     @Nullable TwistJson twist,
     List<Double> ranges,
     @Nullable Double placeError,
+    @Nullable Double measuredLoad,
     double sensorRange,
     @Nullable Double toldLoad) {
 
@@ -88,6 +89,7 @@ public record RobotJson(
         TwistJson.of(seen.readings()),
         seen.readings().ranges(),
         seen.readings().placeError(),
+        seen.readings().measuredLoad(),
         view.capabilities().sensorRange(),
         view.capabilities().isLoadKnown() ? view.capabilities().maxLoad() : null);
   }

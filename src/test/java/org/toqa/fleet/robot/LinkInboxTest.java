@@ -103,6 +103,7 @@ class LinkInboxTest {
         List.of(),
         List.of(),
         null,
+        null,
         Stream.of(faults).map(code -> new Fault(code, "It is so.")).toList());
   }
 }

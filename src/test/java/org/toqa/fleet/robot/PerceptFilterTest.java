@@ -117,6 +117,7 @@ class PerceptFilterTest {
         List.of(),
         List.of(obstacles),
         null,
+        null,
         List.of());
   }
 

@@ -297,7 +297,7 @@ class PagesTest extends WebServerTest {
                 new Telemetry(
                     said.pose(),
                     said.battery(),
-                    new Readings(0.23, 0.0, List.of(0.45, 0.8, 0.1), 0.03),
+                    new Readings(0.23, 0.0, List.of(0.45, 0.8, 0.1), 0.03, 4.2),
                     List.of(),
                     said.lastSeen()))
             .withUnreachable(Phrase.NOBODY_LISTENS.with("r8", "10.0.0.7:7277"));
@@ -322,6 +322,7 @@ class PagesTest extends WebServerTest {
     }
     assertTrue(page.contains("No program accepts connections at 10.0.0.7:7277. Check that"));
     assertTrue(page.contains("0.03 m"), "off its place");
+    assertTrue(page.contains("4.2 kg"), "what it bears");
     assertTrue(page.contains("0.45, 0.80, 0.10"), "the ranges");
     assertTrue(page.contains("has never been connected"));
     assertTrue(page.contains("<polyline points=\"200.0,16.0 398.3,20.0 400.0,20.0\""));

@@ -2,6 +2,7 @@ package org.toqa.agent.chassis;
 
 import java.time.Duration;
 import java.util.Set;
+import org.jspecify.annotations.Nullable;
 import org.toqa.agent.chassis.ChassisCommand.MoveAt;
 import org.toqa.geometry.Twist;
 
@@ -44,6 +45,13 @@ public interface Chassis extends AutoCloseable {
    * @param kilograms 0 for nothing
    */
   default void setLoad(double kilograms) {}
+
+  /**
+   * Tells a body that is simulated what lies on it and on others together; as {@link #setLoad}.
+   *
+   * @param load null: none
+   */
+  default void setSharedLoad(@Nullable SharedLoad load) {}
 
   /**
    * A person says that these stops are over; those whose cause has gone are cleared. From the

@@ -20,6 +20,7 @@ import org.toqa.link.message.AgentMessage.Fault;
  * @param battery 0 to 1
  * @param ranges metres, in the order of the range sensors
  * @param faults why the body cannot drive; empty when it can
+ * @param measuredLoad kilograms that it bears, as it measures; null: nothing, or it has no scale
  * @param progress on the path that it drives by itself; null while it drives none
  */
 public record ChassisReading(
@@ -30,6 +31,7 @@ public record ChassisReading(
     double battery,
     List<Double> ranges,
     List<Fault> faults,
+    @Nullable Double measuredLoad,
     @Nullable PathProgress progress) {
 
   public ChassisReading {
@@ -40,7 +42,7 @@ public record ChassisReading(
   /** The same with these faults. */
   public ChassisReading withFaults(List<Fault> others) {
     return new ChassisReading(
-        powerCycle, startPose, odometry, twist, battery, ranges, others, progress);
+        powerCycle, startPose, odometry, twist, battery, ranges, others, measuredLoad, progress);
   }
 
   /** The codes of the stops that only a person's word clears. */

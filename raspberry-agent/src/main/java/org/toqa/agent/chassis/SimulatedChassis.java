@@ -3,6 +3,7 @@ package org.toqa.agent.chassis;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.OptionalDouble;
 import java.util.SplittableRandom;
 import org.jspecify.annotations.Nullable;
 import org.toqa.agent.chassis.ChassisCommand.DrivePath;
@@ -75,6 +76,8 @@ public final class SimulatedChassis implements Chassis {
 
   /** Kilograms on board. */
   private double load;
+
+  private @Nullable SharedLoad sharedLoad;
 
   /**
    * Finds the body that the file keeps, or puts a new one.
@@ -174,6 +177,11 @@ public final class SimulatedChassis implements Chassis {
   }
 
   @Override
+  public void setSharedLoad(@Nullable SharedLoad shared) {
+    sharedLoad = shared;
+  }
+
+  @Override
   public ChassisReading exchange(ChassisCommand command, long nanos) {
     if (started) {
       simulate(nanos - lastNanos);
@@ -188,6 +196,7 @@ public final class SimulatedChassis implements Chassis {
     }
     file.write(state);
     surroundings.setTruePose(state.truePose());
+    surroundings.setSharedLoad(sharedLoad);
     if (!isLost || reading == null) {
       reading = reading(nanos);
     }
@@ -220,7 +229,17 @@ public final class SimulatedChassis implements Chassis {
         state.battery(),
         ranges.update(state.truePose(), nanos),
         List.of(),
+        measuredLoad(),
         queue == null ? null : queue.progress());
+  }
+
+  /** As a scale under the load would. */
+  private @Nullable Double measuredLoad() {
+    if (sharedLoad == null) {
+      return load > 0 ? load : null;
+    }
+    OptionalDouble borne = surroundings.borneShare();
+    return borne.isPresent() ? borne.getAsDouble() : null;
   }
 
   /** Where the body really is, map frame: what no robot knows of itself. */

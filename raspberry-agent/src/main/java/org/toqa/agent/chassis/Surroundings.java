@@ -1,5 +1,7 @@
 package org.toqa.agent.chassis;
 
+import java.util.OptionalDouble;
+import org.jspecify.annotations.Nullable;
 import org.toqa.geometry.Pose;
 import org.toqa.geometry.Vec2;
 
@@ -32,6 +34,21 @@ public interface Surroundings {
    * @param truth map frame
    */
   void setTruePose(Pose truth);
+
+  /**
+   * Told at every exchange what lies on the body and on others together.
+   *
+   * @param load null: nothing
+   */
+  default void setSharedLoad(@Nullable SharedLoad load) {}
+
+  /**
+   * Kilograms that the body truly bears of that; empty where nothing lies on all of them, or it is
+   * not simulated.
+   */
+  default OptionalDouble borneShare() {
+    return OptionalDouble.empty();
+  }
 
   /**
    * Metres from a point to the first thing in a direction.

@@ -4,6 +4,7 @@ import java.util.Optional;
 import org.jspecify.annotations.Nullable;
 import org.toqa.agent.chassis.ChassisCommand;
 import org.toqa.agent.chassis.ChassisReading;
+import org.toqa.agent.chassis.SharedLoad;
 import org.toqa.geometry.Pose;
 import org.toqa.link.message.AgentMessage.Fault;
 import org.toqa.link.message.AgentMessage.Role;
@@ -26,6 +27,9 @@ sealed interface Activity permits Alone, Leading, Following {
   record Tick(ChassisReading reading, Pose pose, double seconds, double now, boolean canMove) {}
 
   Role role();
+
+  /** What the robot carries together with others. */
+  Optional<SharedLoad> sharedLoad();
 
   /** The current drive; a follower has none. */
   Optional<DriveRun> drive();

@@ -3,6 +3,7 @@ package org.toqa.agent.control;
 import java.util.Optional;
 import org.jspecify.annotations.Nullable;
 import org.toqa.agent.chassis.ChassisCommand;
+import org.toqa.agent.chassis.SharedLoad;
 import org.toqa.link.message.AgentMessage.Fault;
 import org.toqa.link.message.AgentMessage.Role;
 
@@ -15,6 +16,11 @@ record Alone(Optional<DriveRun> drive) implements Activity {
   @Override
   public Role role() {
     return Role.ALONE;
+  }
+
+  @Override
+  public Optional<SharedLoad> sharedLoad() {
+    return Optional.empty();
   }
 
   @Override

@@ -11,6 +11,7 @@ import org.toqa.agent.drive.ObstacleAvoider;
 import org.toqa.agent.drive.PaceLimits;
 import org.toqa.agent.drive.ReferenceTrajectory;
 import org.toqa.agent.drive.SegmentRunner;
+import org.toqa.geometry.Pose;
 import org.toqa.link.message.AgentMessage.Fault;
 import org.toqa.link.message.ServerMessage.Drive;
 import org.toqa.link.message.ServerMessage.Extend;
@@ -35,6 +36,11 @@ final class DriveRun {
   private boolean isFinal;
   private boolean isCancelled;
   private int calmTicks = CALM_TICKS;
+
+  /** Metres that the body has driven by itself, and those at the daemon's velocities. */
+  private double byItself;
+
+  private double steered;
 
   /**
    * @param kind of the robot
@@ -82,6 +88,7 @@ final class DriveRun {
    */
   ChassisCommand steer(Tick tick) {
     boolean canMove = canMove(tick);
+    count(tick, relay.isActive());
     relay.update(tick.reading(), tick.pose());
     avoider.avoidObstacles(trajectory(), tick.seconds(), canMove);
     calmTicks = avoider.isActive() || runner.isOffPath() ? 0 : calmTicks + 1;
@@ -118,9 +125,30 @@ final class DriveRun {
    * @param pace as a share of the planned speed, 0 to 1
    */
   ChassisCommand steerAsLeader(Tick tick, PaceLimits limits, double pace) {
+    count(tick, false);
     avoider.stopForObstacles(trajectory());
     trajectory().setLimits(limits);
     return new MoveAt(runner.steer(tick.pose(), tick.seconds(), canMove(tick) ? pace : 0));
+  }
+
+  private void count(Tick tick, boolean isByItself) {
+    double metres = Math.hypot(tick.reading().twist().vx(), tick.reading().twist().vy());
+    byItself += isByItself ? metres * tick.seconds() : 0;
+    steered += isByItself ? 0 : metres * tick.seconds();
+  }
+
+  /**
+   * How it was driven, for the log.
+   *
+   * @param pose where the robot is, map frame
+   */
+  String summary(Pose pose) {
+    return String.format(
+        Locale.ROOT,
+        "%.4f m from the end of its path; the body drove %.2f m by itself, %.2f m at velocities",
+        trajectory().pose().distanceTo(pose),
+        byItself,
+        steered);
   }
 
   private boolean canMove(Tick tick) {

@@ -5,6 +5,7 @@ import java.util.Optional;
 import org.jspecify.annotations.Nullable;
 import org.toqa.agent.chassis.ChassisCommand;
 import org.toqa.agent.chassis.ChassisCommand.MoveAt;
+import org.toqa.agent.chassis.SharedLoad;
 import org.toqa.agent.formation.FormationFollower;
 import org.toqa.geometry.Twist;
 import org.toqa.link.message.AgentMessage.Fault;
@@ -21,6 +22,12 @@ record Following(FormationFollower follower) implements Activity {
   @Override
   public Role role() {
     return Role.FOLLOWER;
+  }
+
+  @Override
+  public Optional<SharedLoad> sharedLoad() {
+    return Optional.ofNullable(follower.order().carries())
+        .map(part -> SharedLoad.of(follower.order().task(), part));
   }
 
   @Override

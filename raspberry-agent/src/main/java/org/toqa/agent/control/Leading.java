@@ -4,6 +4,7 @@ import java.util.Objects;
 import java.util.Optional;
 import org.jspecify.annotations.Nullable;
 import org.toqa.agent.chassis.ChassisCommand;
+import org.toqa.agent.chassis.SharedLoad;
 import org.toqa.agent.formation.FormationLeader;
 import org.toqa.link.message.AgentMessage.Fault;
 import org.toqa.link.message.AgentMessage.Role;
@@ -14,6 +15,12 @@ record Leading(FormationLeader leader, Optional<DriveRun> drive) implements Acti
   @Override
   public Role role() {
     return Role.LEADER;
+  }
+
+  @Override
+  public Optional<SharedLoad> sharedLoad() {
+    return Optional.ofNullable(leader.order().carries())
+        .map(part -> SharedLoad.of(leader.order().task(), part));
   }
 
   @Override

@@ -11,6 +11,7 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 import org.toqa.agent.chassis.ChassisCommand;
 import org.toqa.agent.chassis.ChassisReading;
+import org.toqa.agent.chassis.SharedLoad;
 import org.toqa.agent.config.AgentConfig;
 import org.toqa.agent.drive.ObstacleAvoider;
 import org.toqa.agent.formation.FollowerLink;
@@ -129,6 +130,11 @@ public final class RobotControl {
   /** Kilograms on board. */
   public double load() {
     return record.entry().load();
+  }
+
+  /** What it carries together with others. */
+  public Optional<SharedLoad> sharedLoad() {
+    return activity.sharedLoad();
   }
 
   /**
@@ -282,8 +288,12 @@ public final class RobotControl {
 
   private void endPhase() {
     if (record.savePhaseEnd()) {
+      log.info(
+          "{}: phase {} is done{}.",
+          record.logName(),
+          record.entry().phase(),
+          activity.drive().map(run -> ", " + run.summary(pose())).orElse(""));
       activity = Alone.IDLE;
-      log.info("{}: phase {} is done.", record.logName(), record.entry().phase());
     }
   }
 

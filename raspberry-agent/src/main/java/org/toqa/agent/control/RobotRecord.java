@@ -162,7 +162,7 @@ final class RobotRecord {
   private JournalEntry entryAfter(Command command) {
     return switch (command) {
       case Drive drive -> entry().withDrive(drive.seq(), drive.task(), drive.phase(), drive.load());
-      case Follow follow -> entry().withDrive(follow.seq(), follow.task(), 2, 0);
+      case Follow follow -> entry().withDrive(follow.seq(), follow.task(), 2, share(follow));
       case Hold _ -> entry().withHold(true);
       case Resume _ -> entry().withHold(false);
       case Cancel cancel ->
@@ -174,6 +174,10 @@ final class RobotRecord {
                   reading.powerCycle(), locate.pose().compose(reading.odometry().relative(ORIGIN)));
       case Extend _, Release _, Lead _, Clear _, Ping _ -> entry();
     };
+  }
+
+  private static double share(Follow follow) {
+    return follow.carries() == null ? 0 : follow.carries().share();
   }
 
   private boolean endsWaitAfterRestart(Command command) {

@@ -84,6 +84,7 @@ public record RobotReport(
         reading.ranges(),
         obstacles,
         placeError,
+        reading.measuredLoad(),
         notes.isEmpty() ? errors : Stream.concat(errors.stream(), notes.stream()).toList());
   }
 }

@@ -308,6 +308,7 @@ public final class FirmwareChassis implements Chassis {
         status.stopReasons().contains(StopReason.BATTERY) ? 0 : battery.charge(), // it says so
         hasRangeSensors ? status.ranges() : List.of(),
         faults(),
+        null, // it has no scale
         paths.progress(status));
   }
 

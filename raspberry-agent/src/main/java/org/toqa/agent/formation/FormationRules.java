@@ -7,6 +7,7 @@ import java.util.Optional;
 import org.jspecify.annotations.Nullable;
 import org.toqa.agent.config.AgentConfig;
 import org.toqa.formation.Shape;
+import org.toqa.link.message.ServerMessage.CarriedPart;
 import org.toqa.link.message.ServerMessage.Follow;
 import org.toqa.link.message.ServerMessage.Follower;
 import org.toqa.link.message.ServerMessage.Lead;
@@ -20,6 +21,10 @@ public final class FormationRules {
 
   private static final double LARGEST_TOLERANCE = 0.5;
   private static final double LARGEST_OFFSET = 50;
+
+  /** Metres from the map's origin. */
+  private static final double FARTHEST_LOAD = 100_000;
+
   private static final int MOST_FOLLOWERS = Shape.MOST_ROBOTS - 1;
   private static final int LARGEST_PORT = 65_535;
 
@@ -52,7 +57,7 @@ public final class FormationRules {
         return objection;
       }
     }
-    return objectionToTolerance(lead.tolerance());
+    return objectionToTolerance(lead.tolerance()).or(() -> objectionTo(lead.carries()));
   }
 
   public Optional<String> objectionTo(Follow follow) {
@@ -73,7 +78,7 @@ public final class FormationRules {
           "The place is %.2f m from the leader; it must be from %.2f to %.0f m.",
           away, config.footprint() / 2, LARGEST_OFFSET);
     }
-    return objectionToTolerance(follow.tolerance());
+    return objectionToTolerance(follow.tolerance()).or(() -> objectionTo(follow.carries()));
   }
 
   private Optional<String> objectionToFingerprint(String robot, @Nullable String fingerprint) {
@@ -94,6 +99,20 @@ public final class FormationRules {
         : objection(
             "The tolerance must be more than 0 and at most %.1f m, not %.3f.",
             LARGEST_TOLERANCE, tolerance);
+  }
+
+  private static Optional<String> objectionTo(@Nullable CarriedPart part) {
+    if (part == null) {
+      return Optional.empty();
+    }
+    if (!(part.share() > 0 && part.share() <= part.load())) {
+      return objection(
+          "The share must be more than 0 and at most the load of %.1f kg, not %.3f kg.",
+          part.load(), part.share());
+    }
+    return part.point().norm() <= LARGEST_OFFSET && part.middle().norm() <= FARTHEST_LOAD
+        ? Optional.empty()
+        : objection("The load is too far away to be held.");
   }
 
   @FormatMethod

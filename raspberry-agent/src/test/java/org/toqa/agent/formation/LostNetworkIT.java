@@ -142,9 +142,9 @@ class LostNetworkIT {
   void groupStandsWhileItsLeaderIsGoneAndGoesOnWithIt() throws Exception {
     FormationServer ofLeader = connect(1); // at (3, 1)
     FormationServer ofFollower = connect(0); // at (1, 1)
-    ofFollower.assertAccepted(new Follow(1, TASK, "r2", null, new Vec2(-2, 0), 0.05));
+    ofFollower.assertAccepted(new Follow(1, TASK, "r2", null, new Vec2(-2, 0), 0.05, null));
     ofLeader.assertAccepted(
-        new Lead(1, TASK, 0.05, List.of(new Follower("r1", network.address(0), PORT, null))));
+        new Lead(1, TASK, 0.05, List.of(new Follower("r1", network.address(0), PORT, null)), null));
     List<Segment> segments = List.of(new Segment(SPEED, 0, 60));
     ofLeader.assertAccepted(new Drive(2, TASK, 2, new Pose(3, 1, 0), segments, 1, true, 0));
     ofFollower.awaitState(s -> s.mode() == Mode.FOLLOWING && s.pose().x() > 1.3);
