@@ -40,7 +40,7 @@ public record LoadView(
     @Nullable Long fetchedBy,
     boolean isLeft) {
 
-  /** Metres; whoever fetches a load so near to where it lies fetches this one. */
+  /** Metres; whoever fetches a load of its weight and size so near to where it lies fetches it. */
   public static final double SAME_PLACE = 0.05;
 
   public LoadView {
@@ -89,6 +89,7 @@ public record LoadView(
     return isStillToFetch
         ? floor.leftLoads().stream()
             .filter(left -> left.where().distanceTo(task.object().position()) < SAME_PLACE)
+            .filter(left -> task.task().hasLoadOf(left.weight(), left.size()))
             .findFirst()
             .orElse(null)
         : null;

@@ -31,6 +31,9 @@ public record TransportTask(
     Instant createdAt,
     @Nullable OrderPart part) {
 
+  /** Kilograms and metres; what differs by less is what was entered twice. */
+  private static final double ALIKE = 0.001;
+
   /**
    * Of the load's outline from above.
    *
@@ -87,6 +90,16 @@ public record TransportTask(
         && floor.equals(other.floor)
         && start.equals(other.start)
         && goal.equals(other.goal);
+  }
+
+  /** Whether its load is of that weight, kilograms, and size: the same one, as far as is known. */
+  public boolean hasLoadOf(double weight, @Nullable LoadSize outline) {
+    return Math.abs(load - weight) < ALIKE
+        && (size == null
+            ? outline == null
+            : outline != null
+                && Math.abs(size.length() - outline.length()) < ALIKE
+                && Math.abs(size.width() - outline.width()) < ALIKE);
   }
 
   /** Whether the same is ordered of both, whoever did it and when. */

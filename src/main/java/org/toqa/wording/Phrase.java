@@ -39,6 +39,7 @@ public enum Phrase {
   STANDS_NOT_LOCALISED,
   STANDS_WITH_ERROR,
   STANDS_STILL,
+  LOAD_IN_THE_WAY,
 
   // Why a task waits
   LOOKING_FOR_ROBOT,

@@ -30,6 +30,9 @@ class FleetLoadsTest extends HallFleetTest {
     until(view -> waitReason(view, through).contains("an obstacle"));
     FleetSnapshot waiting = stage.fleet.snapshots().latest();
     assertTrue(waitReason(waiting, through).contains("(4.50, 1.50)"));
+    assertTrue(
+        waitReason(waiting, through)
+            .contains("the load of task %d lies there".formatted(left().task())));
     accepted(stage.fleet.commandTask(left().task(), new MissionEvent.RemoveLoad("Max")));
     until(view -> task(view, through).state() == TaskState.DONE);
   }
@@ -85,6 +88,28 @@ class FleetLoadsTest extends HallFleetTest {
         new TaskPlace(new Vec2(8.5, 2.5), "East"),
         load(stage.fleet.snapshots().latest(), task).place());
     until(view -> LoadView.of(view).isEmpty());
+  }
+
+  @Test
+  void aLoadOfAnotherWeightIsNotTheOneThatLiesThere() throws Exception {
+    setDownInTheDoor();
+    LoadView left = left();
+
+    TaskOrder small =
+        new TaskOrder(
+            "Small box",
+            left.weight() / 2,
+            new Where.Point(place(left)),
+            new Where.Station("East"),
+            null,
+            0,
+            null,
+            null);
+    long task = submit(small);
+
+    until(view -> task(view, task).state() == TaskState.RETURNING);
+    assertEquals(left, left());
+    assertEquals(2, LoadView.of(stage.fleet.snapshots().latest()).size());
   }
 
   @Test

@@ -265,8 +265,17 @@ final class DriveDispatcher {
         .blockingRobot(name)
         .map(state.robots::get)
         .flatMap(this::cause)
+        .or(() -> loadInTheWay(name))
         .<Sentence>map(cause -> Phrase.LISTED_APART.with(reason, cause))
         .orElse(reason);
+  }
+
+  private Optional<Sentence> loadInTheWay(String name) {
+    return state
+        .traffic
+        .obstacleInTheWay(name)
+        .flatMap(state.leftLoads::taskAt)
+        .map(Phrase.LOAD_IN_THE_WAY::with);
   }
 
   /** Why a robot that others wait for does not go on, where a person can help. */

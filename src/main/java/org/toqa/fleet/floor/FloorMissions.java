@@ -167,7 +167,7 @@ final class FloorMissions {
     List<MissionChange> changes = new ArrayList<>();
     List<Mission> fetchedOf =
         hasFetched(mission, applied.mission())
-            ? state.leftLoads.at(mission.object().position())
+            ? state.leftLoads.fetchedBy(mission)
             : List.of();
     Mission.Step step = traceLoad(applied, mission, fetchedOf, at);
     if (step.hasChanges()) {

@@ -76,9 +76,22 @@ final class LeftLoads {
     return Optional.ofNullable(loads.get(task)).map(Entry::endedAt);
   }
 
-  /** The ended missions whose loads lie there. */
-  List<Mission> at(Vec2 place) {
-    return loads.values().stream().filter(load -> isAt(load, place)).map(Entry::mission).toList();
+  /** The ended mission whose load, of the same weight and size, lies where it fetches its own. */
+  List<Mission> fetchedBy(Mission mission) {
+    return loads.values().stream()
+        .filter(load -> isAt(load, mission.object().position()))
+        .map(Entry::mission)
+        .filter(left -> mission.task().hasLoadOf(left.task().load(), left.task().size()))
+        .limit(1)
+        .toList();
+  }
+
+  /** The task whose load may cover that place. */
+  Optional<Long> taskAt(Vec2 place) {
+    return loads.values().stream()
+        .filter(load -> isOn(load, place))
+        .map(load -> load.mission().id())
+        .findFirst();
   }
 
   private static boolean isAt(Entry load, Vec2 place) {

@@ -299,6 +299,13 @@ public final class FloorTraffic {
     return waitChains.sentence(robot(name));
   }
 
+  /** Where the obstacle is for which it does not go on. */
+  public Optional<Vec2> obstacleInTheWay(String name) {
+    return robot(name).waitReason() instanceof WaitReason.ObstacleOnPath(Vec2 where)
+        ? Optional.of(where)
+        : Optional.empty();
+  }
+
   /**
    * The robot that it waits for in the end, where those before it wait themselves, if that one does
    * not go on by itself.
