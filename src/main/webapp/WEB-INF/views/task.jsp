@@ -38,6 +38,11 @@
         <dl>
           <c:if test="${not empty task.task.part}"><dt><fmt:message key="order.onTask"/></dt><dd><t:part part="${task.task.part}" order="${order}"/></dd></c:if>
           <dt><fmt:message key="task.load"/></dt><dd><fmt:message key="common.kilograms"><fmt:param value="${load}"/></fmt:message></dd>
+          <c:if test="${not empty task.task.size}">
+            <fmt:formatNumber value="${task.task.size.length}" maxFractionDigits="2" var="length"/>
+            <fmt:formatNumber value="${task.task.size.width}" maxFractionDigits="2" var="width"/>
+            <dt><fmt:message key="loads.column.size"/></dt><dd><fmt:message key="loads.size"><fmt:param value="${length}"/><fmt:param value="${width}"/></fmt:message></dd>
+          </c:if>
           <dt><fmt:message key="task.start"/></dt><dd><t:place place="${task.task.start}"/></dd>
           <dt><fmt:message key="task.goal"/></dt><dd><t:place place="${task.task.goal}"/></dd>
           <dt><fmt:message key="task.floor"/></dt><dd><bdi><c:out value="${task.task.floor}"/></bdi></dd>

@@ -4,7 +4,7 @@ import {isOpen} from './fleet-state.js';
 
 const SMALLEST = 11; // pixels of a robot's radius
 const NOSE_ANGLE = 0.8; // radians from the heading at which the robot's disc ends and its nose begins
-const COLOURS = {STOPPED: 'state-silent'}; // of a replayed robot; those of states are the legend's
+const COLOURS = {}; // those of states are the legend's
 for (const {dataset: {state}} of document.querySelectorAll('.legend [data-state]')) {
   COLOURS[state] = `state-${state}`;
 }
@@ -31,7 +31,7 @@ export function drawLeftLoads(context, viewport, colours, loads) {
 
 /** A robot as a replay shows it: of its state only whether it was moving is known. */
 export function replayedRobot(robot, pose) {
-  return {...robot, state: pose?.isMoving ? 'DRIVING' : 'STOPPED', letter: '', route: [], task: null};
+  return {...robot, state: pose?.isMoving ? 'DRIVING' : 'IDLE', letter: '', route: [], task: null};
 }
 
 /**

@@ -26,7 +26,7 @@ function robotEntry(name, {isMoving}, events) {
   return {
     key: `robot ${name}`,
     href: `robots/${encodeURIComponent(name)}`,
-    state: isMoving ? 'DRIVING' : 'STOPPED',
+    state: isMoving ? 'DRIVING' : 'IDLE',
     letter: '',
     title: name,
     side: text(isMoving ? 'replay.driving' : 'replay.stopped'),

@@ -2,6 +2,8 @@
 export const locale = `${document.documentElement.lang}-u-nu-latn`;
 
 const ARABIC_DIGITS = /[\u0660-\u0669\u06f0-\u06f9]/g;
+/** What can be nothing but a decimal comma: three digits behind one may be thousands. */
+const DECIMAL_COMMA = /^([+-]?\d+),(\d{1,2})$/;
 const MARKS_OF_DIRECTION = /[\u200e\u200f\u061c]/g;
 
 /** A distance for people: below 10 m with one digit after the point. */
@@ -17,6 +19,7 @@ export function numberIn({value}) {
     .replace(MARKS_OF_DIRECTION, '')
     .replace(ARABIC_DIGITS, (digit) => digit.charCodeAt(0) & 0xf)
     .replace('\u066b', '.')
-    .trim();
+    .trim()
+    .replace(DECIMAL_COMMA, '$1.$2');
   return latin === '' || !Number.isFinite(Number(latin)) ? undefined : Number(latin);
 }

@@ -102,7 +102,7 @@ class ReplayInBrowserTest extends PagesInBrowser {
 
     assertThat(entry("r1")).containsText("Driving");
     assertThat(entry("r1")).containsText("Task 7: r1 drives off");
-    assertThat(entry("r2")).containsText("Stopped");
+    assertThat(entry("r2")).containsText("Standing");
     assertThat(events()).hasText(new String[] {"r1 drives off"});
     Object then = canvas();
     assertNotEquals(end, then);
