@@ -166,9 +166,7 @@ final class FloorMissions {
     List<Mission.Step> steps = new ArrayList<>();
     List<MissionChange> changes = new ArrayList<>();
     List<Mission> fetchedOf =
-        hasFetched(mission, applied.mission())
-            ? state.leftLoads.fetchedBy(mission)
-            : List.of();
+        hasFetched(mission, applied.mission()) ? state.leftLoads.fetchedBy(mission) : List.of();
     Mission.Step step = traceLoad(applied, mission, fetchedOf, at);
     if (step.hasChanges()) {
       steps.add(step);
