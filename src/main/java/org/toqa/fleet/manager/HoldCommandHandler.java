@@ -67,6 +67,16 @@ final class HoldCommandHandler {
     return floorHolds.get(floor);
   }
 
+  /** Why no task of the floor is begun now; null: robots may drive. */
+  @Nullable Sentence reasonToWait(String floor) {
+    Hold ofAll = pause;
+    Hold ofFloor = floorHolds.get(floor);
+    if (ofAll != null) {
+      return Phrase.ALL_PAUSED_BY.with(ofAll.user());
+    }
+    return ofFloor == null ? null : Phrase.FLOOR_HELD_BY.with(floor, ofFloor.user());
+  }
+
   void setPause(ManagerMessage.SetPause m) {
     Hold inForce = pause;
     if (isAsked(m.pause(), inForce, resume)) {

@@ -112,9 +112,14 @@ final class SnapshotPublisher {
 
   private TaskView view(TaskQueue.Queued queued, @Nullable WaitExplainer plain) {
     Sentence noFloor = fleet.missingFloors.get(queued.task().floor());
-    TaskView view =
-        FleetState.view(queued, noFloor != null ? noFloor : rounds.waitReason(queued, plain));
-    return noFloor != null || rounds.isBlocked(queued, plain) ? view.asBlocked() : view;
+    if (noFloor != null) {
+      return FleetState.view(queued, noFloor).asBlocked();
+    }
+    if (rounds.isBlocked(queued, plain)) {
+      return FleetState.view(queued, rounds.waitReason(queued, plain)).asBlocked();
+    }
+    Sentence held = holds.reasonToWait(queued.task().floor());
+    return FleetState.view(queued, held != null ? held : rounds.waitReason(queued, plain));
   }
 
   private List<FloorView> floorViews() {
