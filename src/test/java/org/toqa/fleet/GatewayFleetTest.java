@@ -89,9 +89,14 @@ class GatewayFleetTest {
     assertEquals(0, held.distanceTo(place()), 1e-6, "it stands");
     assertTrue(
         held.distanceTo(releasedEnd) < 0.05, () -> held + " is not the end of what was released");
-    RobotView lost = robot(live().fleet.snapshots().latest());
-    assertEquals(RobotState.LOST, lost.state());
-    assertTrue(String.valueOf(lost.alert()).contains("its gateway dock is not connected"));
+    // the line's end is found out in real time, while the world goes on 200 times as fast
+    FleetSnapshot lost =
+        live()
+            .await(
+                view ->
+                    String.valueOf(robot(view).alert())
+                        .contains("its gateway dock is not connected"));
+    assertEquals(RobotState.LOST, robot(lost).state());
     assertFalse(rig().port().states().getFirst().isConnected());
 
     rig().cable().mend();

@@ -89,7 +89,7 @@ class ClearedStopIT {
               post(person, "fleet/pause", Map.of());
               road.pass(Duration.ofSeconds(2));
               post(person, "fleet/resume", Map.of());
-              road.pass(LONG);
+              road.pass(Duration.ofSeconds(5));
               assertTrue(isStoppedBy(api, code), "no resume is the word");
               assertTrue(place(world).distanceTo(stopped) < 0.005, "it moved");
               post(person, "robots/" + RoadWorld.ROBOT + "/clear", Map.of("reasons", code));

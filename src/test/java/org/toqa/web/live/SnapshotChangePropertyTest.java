@@ -88,9 +88,9 @@ class SnapshotChangePropertyTest {
   Arbitrary<ObjectNode> snapshots() {
     return Combinators.combine(
             Arbitraries.integers().between(0, 3),
-            parts("name", Arbitraries.of("r1", "r2", "r3", "r4").map(JSON::<JsonNode>valueToTree)),
-            parts("id", Arbitraries.longs().between(1, 5).map(JSON::<JsonNode>valueToTree)),
-            parts("floor", Arbitraries.of("hall", "yard").map(JSON::<JsonNode>valueToTree)))
+            parts("name", "r1", "r2", "r3", "r4"),
+            parts("id", 1L, 2L, 3L, 4L, 5L),
+            parts("floor", "hall", "yard"))
         .as(
             (queued, robots, tasks, floors) -> {
               ObjectNode snapshot = JSON.createObjectNode().put("queued", queued);
@@ -101,9 +101,9 @@ class SnapshotChangePropertyTest {
             });
   }
 
-  private static Arbitrary<ArrayNode> parts(String key, Arbitrary<JsonNode> keys) {
+  private static Arbitrary<ArrayNode> parts(String key, Object... keys) {
     return Combinators.combine(
-            keys,
+            Arbitraries.of(keys).map(JSON::<JsonNode>valueToTree),
             Arbitraries.of("here", "there").injectNull(0.3),
             Arbitraries.integers().between(0, 2).list().ofMaxSize(2))
         .as(
@@ -115,6 +115,7 @@ class SnapshotChangePropertyTest {
               return part;
             })
         .list()
+        .ofMaxSize(keys.length)
         .uniqueElements(part -> part.get(key))
         .map(list -> JSON.createArrayNode().addAll(list));
   }
