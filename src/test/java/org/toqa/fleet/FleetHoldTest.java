@@ -130,8 +130,7 @@ class FleetHoldTest extends HallFleetTest {
         Phrase.ALL_PAUSED_BY.with("Max"),
         robot(stage.fleet.snapshots().latest(), "r1").work().doing());
     long queued = submit("East", "West");
-    until(
-        view -> Phrase.ALL_PAUSED_BY.with("Max").equals(task(view, queued).waitingFor()));
+    until(view -> Phrase.ALL_PAUSED_BY.with("Max").equals(task(view, queued).waitingFor()));
 
     accepted(stage.fleet.resumeAll("Boss"));
 
