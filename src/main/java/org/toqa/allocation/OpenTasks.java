@@ -12,8 +12,7 @@ import org.toqa.wording.Sentence;
  * that is too heavy for every robot that fits on its path is for a team, the smallest whose maximum
  * loads add up.
  *
- * <p>Robots seldom become free together. When such a load has waited longer than every task for one
- * robot, those that are free are kept for it, so that it does not wait for ever; and when they are
+ * <p>Robots are kept for a load that has waited longest as by {@link TeamAllocator}; when they are
  * enough, it goes before the others. Confined to one round.
  */
 final class OpenTasks {

@@ -1,6 +1,8 @@
 package org.toqa.fleet;
 
 import java.time.Instant;
+import org.toqa.wording.Phrase;
+import org.toqa.wording.Sentence;
 
 /**
  * All robots, or those of a floor, are on hold. This is no safety function: a robot that hears
@@ -8,4 +10,15 @@ import java.time.Instant;
  *
  * @param user who put them on hold
  */
-public record Hold(String user, Instant since) {}
+public record Hold(String user, Instant since) {
+
+  /** What is said of all robots, which it is about. */
+  public Sentence ofAll() {
+    return Phrase.ALL_PAUSED_BY.with(user);
+  }
+
+  /** What is said of the robots of a floor, which it is about. */
+  public Sentence ofFloor(String floor) {
+    return Phrase.FLOOR_HELD_BY.with(floor, user);
+  }
+}

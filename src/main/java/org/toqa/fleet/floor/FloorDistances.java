@@ -20,7 +20,7 @@ import org.toqa.planning.DistanceField;
  * size of robot, the last ones kept. Any thread may ask.
  */
 public final class FloorDistances implements PathLengths {
-  /** Of all the fields that are kept: 64 MB. */
+  /** Of all the fields that are kept, 64 MB; but sixteen fields on any floor. */
   private static final int CELLS_KEPT = 16_000_000;
 
   /** A field of no more cells is found within a tenth of a floor's tick. */

@@ -18,7 +18,6 @@ import org.toqa.fleet.EventRecord;
 import org.toqa.fleet.FleetStore.MissionChange;
 import org.toqa.fleet.FleetStore.OpenTask;
 import org.toqa.fleet.TaskView;
-import org.toqa.geometry.Vec2;
 import org.toqa.mission.AssignedRobot;
 import org.toqa.mission.Mission;
 import org.toqa.mission.MissionCommand;
@@ -211,17 +210,16 @@ final class FloorMissions {
     state.leftLoads.keepRobots(state.robots.keySet());
     for (String robot : state.robots.keySet()) {
       if (state.traffic.hasRobot(robot)) {
-        state.leftLoads.updatePassable(robot, fetchedBy(robot), state.traffic);
+        state.leftLoads.updatePassable(robot, fetchedFor(robot), state.traffic);
       }
     }
   }
 
-  private @Nullable Vec2 fetchedBy(String robot) {
+  private @Nullable Mission fetchedFor(String robot) {
     return state
         .missions
         .missionOf(robot)
         .filter(mission -> mission.state() != TaskState.RETURNING)
-        .map(mission -> mission.object().position())
         .orElse(null);
   }
 

@@ -62,10 +62,10 @@ final class HoldDispatcher {
 
   private @Nullable Sentence holdReason(FloorRobot robot) {
     if (pause != null) {
-      return Phrase.ALL_PAUSED_BY.with(pause.user());
+      return pause.ofAll();
     }
     if (state.hold != null) {
-      return Phrase.FLOOR_HELD_BY.with(state.floor.name(), state.hold.user());
+      return state.hold.ofFloor(state.floor.name());
     }
     if (robot.settings.isHeld()) {
       return Phrase.HELD_BY_A_PERSON.with();

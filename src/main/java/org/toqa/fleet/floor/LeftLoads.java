@@ -17,6 +17,7 @@ import org.toqa.grid.Cell;
 import org.toqa.grid.Disc;
 import org.toqa.grid.OccupancyGrid;
 import org.toqa.mission.Mission;
+import org.toqa.mission.TransportTask;
 import org.toqa.mission.TransportTask.LoadSize;
 import org.toqa.traffic.floor.FloorTraffic;
 import org.toqa.wording.Phrase;
@@ -79,9 +80,8 @@ final class LeftLoads {
   /** The ended mission whose load, of the same weight and size, lies where it fetches its own. */
   List<Mission> fetchedBy(Mission mission) {
     return loads.values().stream()
-        .filter(load -> isAt(load, mission.object().position()))
+        .filter(load -> isFetchedBy(load, mission))
         .map(Entry::mission)
-        .filter(left -> mission.task().hasLoadOf(left.task().load(), left.task().size()))
         .limit(1)
         .toList();
   }
@@ -94,8 +94,10 @@ final class LeftLoads {
         .findFirst();
   }
 
-  private static boolean isAt(Entry load, Vec2 place) {
-    return load.where().distanceTo(place) < LoadView.SAME_PLACE;
+  private static boolean isFetchedBy(Entry load, Mission mission) {
+    TransportTask left = load.mission().task();
+    return load.where().distanceTo(mission.object().position()) < LoadView.SAME_PLACE
+        && mission.task().hasLoadOf(left.load(), left.size());
   }
 
   /** The cells that they may cover. */
@@ -114,13 +116,13 @@ final class LeftLoads {
    * A robot may go over a load that it fetches; and out of one that it stands in until it is off
    * it, away from its middle.
    *
-   * @param fetched where the load is that it fetches; null: it fetches none
+   * @param fetching for which it fetches a load; null: it fetches none
    */
-  void updatePassable(String robot, @Nullable Vec2 fetched, FloorTraffic traffic) {
+  void updatePassable(String robot, @Nullable Mission fetching, FloorTraffic traffic) {
     BitSet before = passable.getOrDefault(robot, NO_CELLS);
     BitSet now = new BitSet();
     for (Entry load : loads.values()) {
-      if (fetched != null && isAt(load, fetched)) {
+      if (fetching != null && isFetchedBy(load, fetching)) {
         now.or(load.cells());
       } else if (before.intersects(load.cells())
           && (traffic.standingCells(robot).intersects(load.cells())

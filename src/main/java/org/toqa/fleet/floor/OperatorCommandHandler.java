@@ -146,7 +146,7 @@ final class OperatorCommandHandler {
   }
 
   private static boolean isWithinReach(FloorRobot robot, FloorRobot other, Vec2 place) {
-    Pose pose = other.reported.pose();
+    Pose pose = other.reported.report().localised() ? other.reported.pose() : null;
     double apart = (robot.reported.footprint() + other.reported.footprint()) / 2;
     return pose != null && pose.position().distanceTo(place) < apart;
   }

@@ -69,12 +69,12 @@ final class HoldCommandHandler {
 
   /** Why no task of the floor is begun now; null: robots may drive. */
   @Nullable Sentence reasonToWait(String floor) {
-    Hold ofAll = pause;
-    Hold ofFloor = floorHolds.get(floor);
-    if (ofAll != null) {
-      return Phrase.ALL_PAUSED_BY.with(ofAll.user());
+    Hold all = pause;
+    Hold here = floorHolds.get(floor);
+    if (all != null) {
+      return all.ofAll();
     }
-    return ofFloor == null ? null : Phrase.FLOOR_HELD_BY.with(floor, ofFloor.user());
+    return here == null ? null : here.ofFloor(floor);
   }
 
   void setPause(ManagerMessage.SetPause m) {
