@@ -21,6 +21,9 @@ final class FreeSpace {
   /** Metres that a robot still keeps from walls where there is no room for its margin. */
   private static final double NARROW = 0.02;
 
+  /** Metres. */
+  private static final double MARGIN_STEP = 0.01;
+
   private static final double ROUNDING = 1e-6;
 
   private final OccupancyGrid grid;
@@ -176,6 +179,30 @@ final class FreeSpace {
    */
   boolean hasRoom(TrafficRobot robot, List<Section> sections, double room) {
     return isClearOf(robot.committedEnd(), sections, robot.radius() + room, blocked);
+  }
+
+  /**
+   * Whether a robot that drives straight keeps its margin from walls and obstacles, or comes no
+   * nearer to any than it is where it begins or ends.
+   */
+  boolean keepsMargin(Vec2 from, Vec2 to, double radius) {
+    double atEnds = Math.min(keptMargin(from, from, radius), keptMargin(to, to, radius));
+    return keptMargin(from, to, radius) >= atEnds;
+  }
+
+  /** What it keeps of its margin, metres, in whole steps; negative: it has no room. */
+  double keptMargin(Vec2 from, Vec2 to, double radius) {
+    for (int steps = (int) Math.round(margins.robot() / MARGIN_STEP); steps >= 0; steps--) {
+      double kept = steps * MARGIN_STEP;
+      if (isClear(SweptArea.along(from, to, radius + kept))) {
+        return kept;
+      }
+    }
+    return -1;
+  }
+
+  private boolean isClear(SweptArea area) {
+    return !area.cells(grid, 0).intersects(blocked);
   }
 
   /** Whether a disc of some radius on that path, which begins at a pose, touches no such cell. */

@@ -202,22 +202,35 @@ final class GoalAssignment {
 
   /** What a robot covers between the middle of a lane cell and its goal, or that of its cell. */
   private SweptArea lastLeg(Cell from, TrafficRobot robot, Vec2 goal) {
-    OccupancyGrid floor = freeSpace.grid();
-    Vec2 end = lanes.isFloorGrid() ? floor.centre(floor.cellAt(goal)) : goal;
-    return SweptArea.along(lanes.lattice().centre(from), end, robot.radius());
+    return SweptArea.along(lanes.lattice().centre(from), end(goal), robot.radius());
   }
 
-  /** The nearest lane cell to its goal from which it can go straight there. */
+  private Vec2 end(Vec2 goal) {
+    OccupancyGrid floor = freeSpace.grid();
+    return lanes.isFloorGrid() ? floor.centre(floor.cellAt(goal)) : goal;
+  }
+
+  /**
+   * The lane cell near its goal from which it can go straight there, as far off the walls as it
+   * can be: of those alike the nearest.
+   */
   private int approach(TrafficRobot robot, Vec2 goal, int start) {
+    int best = RoadGraph.NONE;
+    double most = -1;
     for (Cell cell : lanes.cellsAround(goal)) {
       int vertex = roads.vertex(cell);
       if (vertex != RoadGraph.NONE
           && roads.isConnected(start, vertex)
           && occupied.isFree(robot.standingArea(), lastLeg(cell, robot, goal))) {
-        return vertex;
+        double kept =
+            freeSpace.keptMargin(lanes.lattice().centre(cell), end(goal), robot.radius());
+        if (kept > most) {
+          best = vertex;
+          most = kept;
+        }
       }
     }
-    return RoadGraph.NONE;
+    return best;
   }
 
   /**

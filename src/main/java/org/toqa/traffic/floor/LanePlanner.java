@@ -280,9 +280,7 @@ final class LanePlanner {
       Vec2 middle = points.of(cell);
       double slack = lattice.resolution() - 2 * robot.radius() - Clearance.BETWEEN_ROBOTS;
       return pose.position().distanceTo(middle) <= Math.max(slack / 2, ON_LANE)
-          && !SweptArea.along(pose.position(), middle, robot.radius())
-              .cells(freeSpace.grid(), 0)
-              .intersects(freeSpace.blocked());
+          && freeSpace.keepsMargin(pose.position(), middle, robot.radius());
     }
 
     /** What others have or will need. */
@@ -337,6 +335,7 @@ final class LanePlanner {
         boolean isStopped = robot.drive.released() == robot.drive.committed();
         if (isStopped
             && sections.size() == 1
+            && freeSpace.keepsMargin(from.position(), points.of(cell), robot.radius())
             && canDrive(robot, from, sections.getFirst(), swept)) {
           swept.add(sections.getFirst().area());
           taken.add(cell);
