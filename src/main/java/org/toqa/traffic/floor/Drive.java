@@ -111,6 +111,11 @@ final class Drive {
     return path != null && completed < released;
   }
 
+  /** Whether it has driven all that it was given. */
+  boolean isOver() {
+    return path == null || isCompleted();
+  }
+
   boolean hasUnreleased() {
     return path != null && released < path.sectionCount();
   }

@@ -175,10 +175,35 @@ final class FreeSpace {
 
   /**
    * Whether a robot that drives sections from where it stops next keeps so far from walls and
-   * obstacles, metres.
+   * obstacles, metres; those that it is nearer to where it begins or ends it comes no nearer to.
    */
   boolean hasRoom(TrafficRobot robot, List<Section> sections, double room) {
-    return isClearOf(robot.committedEnd(), sections, robot.radius() + room, blocked);
+    Pose start = robot.committedEnd();
+    double kept = robot.radius() + room;
+    double gap = kept;
+    BitSet near = new BitSet();
+    for (Vec2 end : List.of(start.position(), sections.getLast().end().position())) {
+      BitSet touched = new BitSet();
+      SweptArea.at(end, kept).cells(grid, 0).addTo(touched);
+      touched.and(blocked);
+      gap = Math.min(gap, distance(end, touched));
+      near.or(touched);
+    }
+    if (near.isEmpty()) {
+      return isClearOf(start, sections, kept, blocked);
+    }
+    BitSet others = (BitSet) blocked.clone();
+    others.andNot(near);
+    return isClearOf(start, sections, kept, others)
+        && isClearOf(start, sections, Math.max(gap - ROUNDING, ROUNDING), near);
+  }
+
+  /** Metres to the nearest of some cells; without end where there is none. */
+  double distance(Vec2 point, BitSet cells) {
+    return cells.stream()
+        .mapToDouble(cell -> Disc.distanceToCell(grid, point, grid.cell(cell)))
+        .min()
+        .orElse(Double.POSITIVE_INFINITY);
   }
 
   /**
@@ -188,6 +213,12 @@ final class FreeSpace {
   boolean keepsMargin(Vec2 from, Vec2 to, double radius) {
     double atEnds = Math.min(keptMargin(from, from, radius), keptMargin(to, to, radius));
     return keptMargin(from, to, radius) >= atEnds;
+  }
+
+  /** The same of the little that a robot keeps where there is no room for its margin. */
+  boolean isWideEnough(Vec2 from, Vec2 to, double radius) {
+    double atEnd = keptMargin(to, to, radius);
+    return keptMargin(from, to, radius) >= Math.min(NARROW, atEnd) - ROUNDING;
   }
 
   /** What it keeps of its margin, metres, in whole steps; negative: it has no room. */

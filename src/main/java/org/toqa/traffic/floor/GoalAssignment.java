@@ -55,6 +55,9 @@ final class GoalAssignment {
   /** Where nobody else shall stay, on the path of the only one that gets its goal; else empty. */
   private final Set<Integer> keptFree;
 
+  /** By robot: who has its goal. */
+  private final Map<String, String> holders = new HashMap<>();
+
   /** Those that want to go somewhere and have no path there, whoever made room. */
   private final Set<String> unreachable = new HashSet<>();
 
@@ -160,8 +163,14 @@ final class GoalAssignment {
     return assigned;
   }
 
-  int unreachableCount() {
-    return unreachable.size();
+  /** How many do not get to their goals by this. */
+  int leftOutCount() {
+    return unreachable.size() + holders.size();
+  }
+
+  /** Tells each robot who has its goal. */
+  void recordHolders() {
+    planned.forEach(robot -> robot.waiting.setGoalTakenBy(holders.get(robot.name)));
   }
 
   /** The names of those that want to go somewhere and can. */
@@ -174,7 +183,6 @@ final class GoalAssignment {
 
   private int goal(int i) {
     TrafficRobot robot = planned.get(i);
-    robot.waiting.setGoalTakenBy(null);
     if (robot.goal() == null) {
       return nearestOpen(starts[i], starts[i]);
     }
@@ -183,7 +191,10 @@ final class GoalAssignment {
       unreachable.add(robot.name);
       return nearestOpen(starts[i], starts[i]);
     }
-    robot.waiting.setGoalTakenBy(takenBy(vertex));
+    String holder = takenBy(vertex);
+    if (holder != null) {
+      holders.put(robot.name, holder);
+    }
     if (!isOpen(vertex)) {
       return nearestOpen(vertex, starts[i]);
     }
@@ -222,9 +233,9 @@ final class GoalAssignment {
       if (vertex != RoadGraph.NONE
           && roads.isConnected(start, vertex)
           && occupied.isFree(robot.standingArea(), lastLeg(cell, robot, goal))) {
-        double kept =
-            freeSpace.keptMargin(lanes.lattice().centre(cell), end(goal), robot.radius());
-        if (kept > most) {
+        Vec2 from = lanes.lattice().centre(cell);
+        double kept = freeSpace.keptMargin(from, end(goal), robot.radius());
+        if (kept > most && freeSpace.isWideEnough(from, end(goal), robot.radius())) {
           best = vertex;
           most = kept;
         }

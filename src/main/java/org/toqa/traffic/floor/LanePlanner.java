@@ -1,5 +1,6 @@
 package org.toqa.traffic.floor;
 
+import java.time.Duration;
 import java.time.Instant;
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -27,7 +28,8 @@ import org.toqa.traffic.Spacing;
  * Plans robots together on lane cells and gives them their paths.
  *
  * <p>Tried in this order, until everybody who wants to go somewhere can: with wide lane cells, on
- * which robots of every size can be planned, then with narrower ones; first without those who drive
+ * which robots of every size can be planned, then with narrower ones, those first that leave the
+ * fewest out, for a while at least; first without those who drive
  * paths of their own or are beside the lanes, then with them. Who is left out is driven round. Of
  * more than {@value #MOST_WHOLE} robots only the next steps are planned ({@link NextStepsPlanner}),
  * those included whose own paths come near.
@@ -45,12 +47,23 @@ final class LanePlanner {
   /** So many lane cells round a robot others give up their own paths and are planned with it. */
   private static final double REACH = 6;
 
+  /**
+   * For so long robots whose next steps are planned stay on lanes of one width: else they could be
+   * led from the middles of wide lane cells to those of narrow ones and back, and get nowhere.
+   */
+  private static final Duration SAME_WIDTH = Duration.ofSeconds(20);
+
   private final FreeSpace freeSpace;
   private final SectionFitter fitter;
   private final JointPlanner planner;
   private final NextStepsPlanner nextSteps;
   private final RightOfWay rightOfWay;
   private final Supplier<Deadline> planningDeadline;
+
+  /** Of the robots for which the lanes were on which next steps were planned last, metres. */
+  private double keptWidth;
+
+  private Instant widthKeptSince = Instant.MIN;
 
   LanePlanner(
       FreeSpace freeSpace,
@@ -81,15 +94,21 @@ final class LanePlanner {
     Deadline deadline = planningDeadline.get();
     rightOfWay.setPlanned(Set.of());
     List<Attempt> incomplete = new ArrayList<>();
+    int fewestLeftOut = Integer.MAX_VALUE;
     for (boolean everybody : List.of(false, true)) {
-      for (double diameter : diameters(robots, everybody)) {
-        Attempt attempt = new Attempt(robots, claims, claimed, diameter, everybody);
+      for (Attempt attempt : attempts(robots, claims, claimed, everybody, now)) {
+        int leftOut = attempt.leftOutCount();
+        if (everybody && !isStill && leftOut >= fewestLeftOut && fewestLeftOut > 0) {
+          continue; // who is at its goal would be moved for nobody's sake
+        }
+        fewestLeftOut = Math.min(fewestLeftOut, leftOut);
         if (!isStill
             && (attempt.planned.size() > MOST_WHOLE || rightOfWay.isClosedTo(attempt.planned))
             && attempt.planAhead(now, deadline)) {
+          keepWidth(attempt.diameter, now);
           return LaneOutcome.PLANNED_AHEAD;
         }
-        if (attempt.leftOutCount() > 0) {
+        if (leftOut > 0) {
           incomplete.add(attempt);
         } else {
           LaneOutcome outcome = tryPlan(attempt, mustPlan, deadline);
@@ -109,8 +128,42 @@ final class LanePlanner {
     return LaneOutcome.NOT_FOUND;
   }
 
+  /**
+   * On lanes of each width, up to those that leave nobody out: those that are kept first, then
+   * those that leave the fewest out.
+   */
+  private List<Attempt> attempts(
+      Collection<TrafficRobot> robots,
+      Claims claims,
+      ClaimedAreas claimed,
+      boolean everybody,
+      Instant now) {
+    boolean isWidthKept = now.isBefore(widthKeptSince.plus(SAME_WIDTH));
+    Comparator<Double> keptFirst = Comparator.comparing(d -> !(isWidthKept && d == keptWidth));
+    List<Attempt> attempts = new ArrayList<>();
+    for (double diameter : diameters(robots, everybody).stream().sorted(keptFirst).toList()) {
+      Attempt attempt = new Attempt(robots, claims, claimed, diameter, everybody);
+      attempts.add(attempt);
+      if (attempt.leftOutCount() == 0) {
+        break;
+      }
+    }
+    attempts.sort(
+        Comparator.<Attempt, Double>comparing(attempt -> attempt.diameter, keptFirst)
+            .thenComparingInt(Attempt::leftOutCount));
+    return attempts;
+  }
+
+  private void keepWidth(double diameter, Instant now) {
+    if (diameter != keptWidth) {
+      keptWidth = diameter;
+      widthKeptSince = now;
+    }
+  }
+
   /** Plans for all goals at once; where there is no such plan, for whoever waits longest. */
   private LaneOutcome tryPlan(Attempt attempt, boolean mustPlan, Deadline deadline) {
+    attempt.goals.recordHolders();
     if (!mustPlan && attempt.wanted.isEmpty() && attempt.isStandingStill()) {
       return LaneOutcome.NOT_NEEDED;
     }
@@ -246,6 +299,7 @@ final class LanePlanner {
      * @return whether anybody gets on by it
      */
     boolean planAhead(Instant now, Deadline deadline) {
+      goals.recordHolders();
       RoadGraph all = freeSpace.laneRoads(diameter);
       List<Cell> goalCells = Arrays.stream(goals.assigned()).mapToObj(roads::cell).toList();
       List<Cell> startCells = planned.stream().map(this::place).toList();
@@ -359,7 +413,7 @@ final class LanePlanner {
     int leftOutCount() {
       long notPlanned =
           robots.stream().filter(robot -> robot.needsPath() && !places.containsKey(robot)).count();
-      return goals.unreachableCount() + (int) notPlanned;
+      return goals.leftOutCount() + (int) notPlanned;
     }
 
     /** Whether no one that waits goes on, and none that wants nothing makes room. */

@@ -66,7 +66,7 @@ final class RoomMaker {
     }
     boolean isStanding =
         switch (reason) {
-          case WaitReason.RobotStanding _ -> other.drive.path() == null;
+          case WaitReason.RobotStanding _ -> other.drive.isOver();
           case WaitReason.RobotPassing _ -> robot.isFormation() && !other.drive.isDriving();
           default -> false;
         };

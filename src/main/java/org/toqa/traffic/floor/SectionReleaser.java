@@ -2,9 +2,12 @@ package org.toqa.traffic.floor;
 
 import java.time.Duration;
 import java.time.Instant;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
+import java.util.Set;
+import org.jspecify.annotations.Nullable;
 import org.toqa.geometry.Pose;
 import org.toqa.geometry.Vec2;
 import org.toqa.geometry.Waypoint;
@@ -102,17 +105,33 @@ final class SectionReleaser {
   }
 
   /**
-   * Whether it was stopped between two cells by one that cannot go on: then it is not bound to go
-   * on to the next cell, but planned from where it is.
+   * Whether it was stopped between two cells by one that cannot go on, or by one that was stopped
+   * there by it: then it is not bound to go on to the next cell, but planned from where it is.
    */
   private boolean isBarredHalfway(TrafficRobot robot, Instant now) {
-    Drive drive = robot.drive;
-    WaitReason reason = robot.waiting.blockedReason();
-    if (drive.released() == drive.committed() || reason == null || !hasWaited(robot, now)) {
+    if (!isHalfway(robot) || !hasWaited(robot, now)) {
       return false;
     }
-    TrafficRobot other = reason.robot() == null ? null : robots.get(reason.robot());
-    return other != null && stays(other);
+    TrafficRobot other = blocking(robot);
+    return other != null && (stays(other) || isInCycleHalfway(robot));
+  }
+
+  private boolean isInCycleHalfway(TrafficRobot robot) {
+    Set<TrafficRobot> seen = new HashSet<>();
+    TrafficRobot at = robot;
+    while (at != null && isHalfway(at) && !at.drive.isDriving() && seen.add(at)) {
+      at = blocking(at);
+    }
+    return at == robot;
+  }
+
+  private static boolean isHalfway(TrafficRobot robot) {
+    return robot.drive.released() < robot.drive.committed();
+  }
+
+  private @Nullable TrafficRobot blocking(TrafficRobot robot) {
+    WaitReason reason = robot.waiting.blockedReason();
+    return reason == null || reason.robot() == null ? null : robots.get(reason.robot());
   }
 
   private static boolean stays(TrafficRobot robot) {

@@ -4,6 +4,7 @@ import java.time.Instant;
 import java.util.ArrayList;
 import java.util.BitSet;
 import java.util.Collection;
+import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.DoubleFunction;
@@ -16,7 +17,6 @@ import org.toqa.geometry.Pose;
 import org.toqa.geometry.Vec2;
 import org.toqa.geometry.Waypoint;
 import org.toqa.grid.Cell;
-import org.toqa.grid.Disc;
 import org.toqa.grid.OccupancyGrid;
 import org.toqa.planning.HeadingAStar;
 import org.toqa.planning.Path;
@@ -76,7 +76,7 @@ final class SingleRobotPlanner {
     double longest = DETOUR * duration(near.get());
     return pathWithRoom
         .apply(freeSpace.margins().robot())
-        .filter(roomy -> duration(roomy) <= longest)
+        .filter(roomy -> duration(roomy) <= longest || room(robot, near.get()) == 0)
         .or(() -> near);
   }
 
@@ -185,9 +185,18 @@ final class SingleRobotPlanner {
     return found[0] == RoadGraph.NONE ? null : roads.cell(found[0]);
   }
 
+  /** One that comes near to walls only where it would do so alone too. */
   private Optional<List<Section>> pathAmong(
       TrafficRobot robot, List<SweptArea> claimed, GoalChoice aim) {
-    return roomiest(robot, room -> pathAmong(robot, room, claimed, aim));
+    Optional<List<Section>> path = roomiest(robot, room -> pathAmong(robot, room, claimed, aim));
+    if (claimed.isEmpty() || path.filter(sections -> room(robot, sections) == 0).isEmpty()) {
+      return path;
+    }
+    return roomiest(robot, room -> pathAmong(robot, room, List.of(), aim))
+            .filter(alone -> room(robot, alone) > 0)
+            .isPresent()
+        ? Optional.empty()
+        : path;
   }
 
   private Optional<List<Section>> pathAmong(
@@ -217,25 +226,55 @@ final class SingleRobotPlanner {
         .freeCells(robot.radius(), room, claimed, standing, robot.committedCell());
   }
 
-  /** Clear of walls and obstacles; straight to a goal that is near, else over cells. */
+  /**
+   * Clear of walls and obstacles; straight to a goal that is near, over cells, or first to the
+   * middle of its own cell: the first that keeps its margin, else what keeps the most room.
+   */
   private Optional<List<Section>> fittedPath(
       OccupancyGrid free, TrafficRobot robot, Cell goal, Predicate<List<Section>> isAcceptable) {
     Predicate<List<Section>> isClearAndRight =
         sections -> isClear(robot, sections) && isAcceptable.test(sections);
-    return straightToGoal(robot, goal)
-        .flatMap(waypoints -> firstFit(robot, waypoints, isClearAndRight))
-        .or(
-            () ->
-                waypoints(free, robot, goal)
-                    .flatMap(
-                        waypoints ->
-                            firstFit(robot, waypoints, isClearAndRight)
-                                .or(
-                                    () ->
-                                        firstFit(
-                                            robot,
-                                            viaCellCentre(free, robot, waypoints),
-                                            isClearAndRight))));
+    Optional<List<Section>> best =
+        straightToGoal(robot, goal)
+            .flatMap(waypoints -> firstFit(robot, waypoints, isClearAndRight));
+    if (keepsMargin(robot, best)) {
+      return best;
+    }
+    Optional<List<Waypoint>> overCells = waypoints(free, robot, goal);
+    best =
+        roomier(
+            robot,
+            best,
+            overCells.flatMap(waypoints -> firstFit(robot, waypoints, isClearAndRight)));
+    return keepsMargin(robot, best)
+        ? best
+        : roomier(
+            robot,
+            best,
+            overCells.flatMap(
+                waypoints ->
+                    firstFit(robot, viaCellCentre(free, robot, waypoints), isClearAndRight)));
+  }
+
+  private boolean keepsMargin(TrafficRobot robot, Optional<List<Section>> path) {
+    return path.filter(sections -> room(robot, sections) == freeSpace.margins().robot())
+        .isPresent();
+  }
+
+  /** The path that keeps more room, the first of those alike. */
+  private Optional<List<Section>> roomier(
+      TrafficRobot robot, Optional<List<Section>> first, Optional<List<Section>> second) {
+    return Stream.of(first, second)
+        .flatMap(Optional::stream)
+        .max(Comparator.comparingDouble(path -> room(robot, path)));
+  }
+
+  /** What a path keeps from walls, metres: one of the steps, or 0. */
+  private double room(TrafficRobot robot, List<Section> path) {
+    return freeSpace.wallSteps().stream()
+        .filter(room -> freeSpace.seenBy(robot).hasRoom(robot, path, room))
+        .findFirst()
+        .orElse(0.0);
   }
 
   /** From beside the middle of a cell the next one may lie behind a corner; from the middle not. */
@@ -275,10 +314,7 @@ final class SingleRobotPlanner {
     }
     BitSet others = (BitSet) blocked.clone();
     others.andNot(touched);
-    double gap = robot.radius();
-    for (int i = touched.nextSetBit(0); i >= 0; i = touched.nextSetBit(i + 1)) {
-      gap = Math.min(gap, Disc.distanceToCell(grid, pose.position(), grid.cell(i)));
-    }
+    double gap = Math.min(robot.radius(), freeSpace.distance(pose.position(), touched));
     return isClearOf(sections, others)
         && freeSpace.isClearOf(pose, sections, Math.max(gap - ROUNDING, ROUNDING), touched);
   }
@@ -352,13 +388,7 @@ final class SingleRobotPlanner {
                         robot, robot.committedEnd(), stopping(exact), narrow, passingPlaces)))
             .filter(sections -> !sections.isEmpty() && isAcceptable.test(sections))
             .toList();
-    return freeSpace.wallSteps().stream()
-        .flatMap(
-            room ->
-                fits.stream()
-                    .filter(sections -> freeSpace.seenBy(robot).hasRoom(robot, sections, room)))
-        .findFirst()
-        .or(() -> fits.stream().findFirst());
+    return fits.stream().max(Comparator.comparingDouble(path -> room(robot, path)));
   }
 
   /** The same path, ending at its goal itself if it ends in the cell of that. */

@@ -94,7 +94,7 @@ final class WaitReasonFinder {
         if (!other.isMovable()) {
           return new WaitReason.RobotNotMovable(other.name, where);
         }
-        return other.drive.path() == null
+        return other.drive.isOver()
             ? new WaitReason.RobotStanding(other.name, where)
             : new WaitReason.RobotPassing(other.name, where);
       }
