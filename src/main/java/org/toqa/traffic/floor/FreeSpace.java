@@ -175,18 +175,20 @@ final class FreeSpace {
 
   /**
    * Whether a robot that drives sections from where it stops next keeps so far from walls and
-   * obstacles, metres; those that it is nearer to where it begins or ends it comes no nearer to.
+   * obstacles, metres; to those to which it has hardly any room where it begins, or at its goal, it
+   * comes no nearer than there.
    */
   boolean hasRoom(TrafficRobot robot, List<Section> sections, double room) {
     Pose start = robot.committedEnd();
     double kept = robot.radius() + room;
     double gap = kept;
     BitSet near = new BitSet();
-    for (Vec2 end : List.of(start.position(), sections.getLast().end().position())) {
+    Pose end = sections.getLast().end();
+    for (Pose tight : robot.isGoal(end) ? List.of(start, end) : List.of(start)) {
       BitSet touched = new BitSet();
-      SweptArea.at(end, kept).cells(grid, 0).addTo(touched);
+      SweptArea.at(tight.position(), robot.radius() + NARROW).cells(grid, 0).addTo(touched);
       touched.and(blocked);
-      gap = Math.min(gap, distance(end, touched));
+      gap = Math.min(gap, distance(tight.position(), touched));
       near.or(touched);
     }
     if (near.isEmpty()) {

@@ -222,8 +222,8 @@ final class GoalAssignment {
   }
 
   /**
-   * The lane cell near its goal from which it can go straight there, as far off the walls as it
-   * can be: of those alike the nearest.
+   * The lane cell near its goal from which it can go straight there, as far off the walls as it can
+   * be: of those alike the nearest.
    */
   private int approach(TrafficRobot robot, Vec2 goal, int start) {
     int best = RoadGraph.NONE;

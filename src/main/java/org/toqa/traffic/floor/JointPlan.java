@@ -6,6 +6,7 @@ import java.util.Comparator;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.function.IntPredicate;
 import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
@@ -135,13 +136,7 @@ final class JointPlan {
     PassingPlaces.CellPlaces passingPlaces =
         new PassingPlaces.CellPlaces(lattice, hasPlacesOnBorders());
     double length = lattice.resolution();
-    List<Section> turning =
-        fitter.fit(
-            robot,
-            start,
-            waypointsFromCentre(lanes, visits, 0, lanes.goalPoint(robot), i -> true),
-            length,
-            passingPlaces);
+    List<Section> turning = turning(robot, start, visits, fitter, passingPlaces);
     if (!passingPlaces.isCentre(start.position())) {
       return turning;
     }
@@ -151,6 +146,7 @@ final class JointPlan {
         Stream.of(length, length / 2)
             .map(corner -> fitter.fit(robot, start, waypoints, corner, passingPlaces))
             .filter(fit -> fit.stream().allMatch(s -> occupied.isFree(standing, s)))
+            .filter(fit -> canSetOut(robot, fit))
             .toList();
     for (double room : freeSpace.wallSteps()) {
       for (List<Section> fit : fits) {
@@ -163,6 +159,53 @@ final class JointPlan {
       }
     }
     return fits.isEmpty() ? turning : fits.getFirst();
+  }
+
+  /**
+   * Turning on the spot: through the middle of its own cell, where it may be beside it; else at
+   * once to the next cell; else through the middle of that, as one that is too near to another
+   * comes no nearer.
+   */
+  private List<Section> turning(
+      TrafficRobot robot,
+      Pose start,
+      List<Cell> visits,
+      SectionFitter fitter,
+      PassingPlaces passingPlaces) {
+    Vec2 goal = lanes.goalPoint(robot);
+    List<Waypoint> direct = lanes.waypoints(visits, 0, goal, i -> true);
+    List<Waypoint> besides = new ArrayList<>(lanes.waypoints(visits, 1, goal, i -> true));
+    besides.addFirst(new Waypoint(lanes.cells().centre(visits.get(1)), true));
+    List<Section> first = null;
+    for (List<Waypoint> waypoints :
+        List.of(waypointsFromCentre(lanes, visits, 0, goal, i -> true), direct, besides)) {
+      List<Section> fit =
+          fitter.fit(robot, start, waypoints, lanes.cells().resolution(), passingPlaces);
+      if (canSetOut(robot, fit)) {
+        return fit;
+      }
+      first = first == null ? fit : first;
+    }
+    return Objects.requireNonNull(first);
+  }
+
+  /** Whether nobody that is planned too stands so near that it keeps the robot from setting out. */
+  private boolean canSetOut(TrafficRobot robot, List<Section> path) {
+    Pose start = robot.committedEnd();
+    SweptArea standing = robot.areaAt(start);
+    return path.isEmpty()
+        || robots.stream()
+            .filter(other -> other != robot && isNear(other.committedEnd(), start))
+            .allMatch(
+                other ->
+                    Clearance.isKept(
+                        standing, path.getFirst().area(), other.areaAt(other.committedEnd())));
+  }
+
+  /** Whether one may be nearer to the other than robots keep. */
+  private boolean isNear(Pose one, Pose other) {
+    double apart = spacing.isNone() ? 1 : 2;
+    return one.distanceTo(other) < apart * lanes.cells().resolution();
   }
 
   /**

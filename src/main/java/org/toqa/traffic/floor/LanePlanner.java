@@ -29,10 +29,10 @@ import org.toqa.traffic.Spacing;
  *
  * <p>Tried in this order, until everybody who wants to go somewhere can: with wide lane cells, on
  * which robots of every size can be planned, then with narrower ones, those first that leave the
- * fewest out, for a while at least; first without those who drive
- * paths of their own or are beside the lanes, then with them. Who is left out is driven round. Of
- * more than {@value #MOST_WHOLE} robots only the next steps are planned ({@link NextStepsPlanner}),
- * those included whose own paths come near.
+ * fewest out, for a while at least; first without those who drive paths of their own or are beside
+ * the lanes, then with them. Who is left out is driven round. Of more than {@value #MOST_WHOLE}
+ * robots only the next steps are planned ({@link NextStepsPlanner}), those included whose own paths
+ * come near.
  */
 final class LanePlanner {
   /** Of the time left, what each search may take. */

@@ -131,9 +131,11 @@ final class Operations {
    * @param present the robots' states now; no two on a vertex
    * @param former what they meant to do, from then on; null for none
    * @param steps that have passed since then
+   * @param delays the steps until the robots are where their states say: they wait so long there,
+   *     whatever they meant, so that all of them go on at the same times as before
    * @param closedNow the edges that nobody may drive now
    */
-  void restart(int[] present, int[][] former, int steps, BitSet closedNow) {
+  void restart(int[] present, int[][] former, int steps, int[] delays, BitSet closedNow) {
     for (int robot = 0; robot < operations.length; robot++) {
       take(robot);
     }
@@ -146,6 +148,9 @@ final class Operations {
     for (int robot = 0; robot < present.length; robot++) {
       int[] meant = former[robot];
       boolean isOnWay = meant != null && forward(meant, present[robot], steps);
+      if (isOnWay) {
+        delay(meant, delays[robot]);
+      }
       operations[robot] = isOnWay ? meant : new int[depth + 1];
       if (isOnWay && isPossible(robot)) {
         put(robot);
@@ -200,6 +205,19 @@ final class Operations {
     System.arraycopy(meant, done, meant, 0, depth + 1 - done);
     Arrays.fill(meant, depth + 1 - done, depth + 1, meant[depth - done]);
     return true;
+  }
+
+  /** Puts waits before an operation that begins with fewer. */
+  private void delay(int[] meant, int steps) {
+    int waits = 0;
+    while (waits < depth && meant[waits + 1] == meant[0]) {
+      waits++;
+    }
+    int more = Math.min(depth, steps) - waits;
+    if (more > 0) {
+      System.arraycopy(meant, waits, meant, waits + more, depth + 1 - waits - more);
+      Arrays.fill(meant, waits, waits + more, meant[0]);
+    }
   }
 
   /** Whether nobody who is put on, and no closed edge, is in the way of a robot's operation. */

@@ -112,7 +112,7 @@ public final class RollingHorizonPlanner implements LifelongPlanner {
     sendStuckOnDetours(present, context.graph());
     findPaths(present, context.guidance(), deadline);
     fixed.stream().forEach(k -> present.get(k).forgetOperation());
-    restartOperations(snapshot, present, context.operations());
+    restartOperations(snapshot, active, present, context.operations());
     context
         .search()
         .improve(
@@ -277,15 +277,23 @@ public final class RollingHorizonPlanner implements LifelongPlanner {
   }
 
   private static void restartOperations(
-      TrafficSnapshot snapshot, List<RobotProgress> present, Operations operations) {
+      TrafficSnapshot snapshot,
+      ActiveRobots active,
+      List<RobotProgress> present,
+      Operations operations) {
     operations.restart(
         present.stream().mapToInt(RobotProgress::state).toArray(),
         present.stream().map(RobotProgress::operation).toArray(int[][]::new),
         snapshot.steps(),
+        delays(active),
         snapshot.closed());
     for (int k = 0; k < present.size(); k++) {
       present.get(k).setOperation(operations.of(k));
     }
+  }
+
+  private static int[] delays(ActiveRobots active) {
+    return IntStream.range(0, active.size()).map(active::delay).toArray();
   }
 
   private static SearchTask task(
@@ -299,7 +307,7 @@ public final class RollingHorizonPlanner implements LifelongPlanner {
         distances(present, context),
         present.stream().mapToInt(RobotProgress::target).toArray(),
         fixed,
-        IntStream.range(0, active.size()).map(active::delay).toArray(),
+        delays(active),
         present.stream().mapToInt(RobotProgress::weight).toArray());
   }
 
