@@ -44,6 +44,11 @@ public record TransportTask(
 
     /** What is taken for a load whose size nobody said. */
     public static final LoadSize DEFAULT = new LoadSize(0.3, 0.3);
+
+    /** Across the disc round it, metres: what it needs wherever it turns. */
+    public double diameter() {
+      return Math.hypot(length, width);
+    }
   }
 
   /** One whose owner is not known yet, and that is no part of an order. */

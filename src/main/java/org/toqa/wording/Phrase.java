@@ -291,6 +291,7 @@ public enum Phrase {
   LIES_IN_WALL,
   SAME_PLACE,
   NO_WAY_BETWEEN,
+  NO_WAY_FOR_LOAD,
 
   // Why a schedule is not added or changed
   NO_SUCH_SCHEDULE,

@@ -5,16 +5,21 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertInstanceOf;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.util.BitSet;
 import java.util.List;
+import java.util.Map;
 import java.util.Objects;
 import org.junit.jupiter.api.Test;
 import org.toqa.fleet.TaskOrder.Where;
 import org.toqa.geometry.Vec2;
 import org.toqa.grid.Cell;
+import org.toqa.grid.CellRuns;
+import org.toqa.grid.Disc;
 import org.toqa.mission.LoadChoice;
 import org.toqa.mission.MissionEvent;
 import org.toqa.mission.TaskPlace;
 import org.toqa.mission.TaskState;
+import org.toqa.mission.TransportTask.LoadSize;
 
 /** Loads as things: each is the same one wherever it is, and in the way where it was set down. */
 class FleetLoadsTest extends HallFleetTest {
@@ -88,6 +93,66 @@ class FleetLoadsTest extends HallFleetTest {
         new TaskPlace(new Vec2(8.5, 2.5), "East"),
         load(stage.fleet.snapshots().latest(), task).place());
     until(view -> LoadView.of(view).isEmpty());
+  }
+
+  @Test
+  void aLoadThatStandsOutFromItsRobotKeepsItsRoom() throws Exception {
+    Vec2 start = new Vec2(6.5, 1.5);
+    long task = submit(wide(new LoadSize(1.4, 1.0), new Where.Point(start)));
+    until(
+        view ->
+            task(view, task).state() == TaskState.CARRYING
+                && scriptedRobot("r1").position().x() > start.x() + 2);
+    scriptedRobot("r1").fallSilent();
+
+    until(view -> silentRobotCells(view).containsKey("r1"));
+    Vec2 silent = scriptedRobot("r1").position();
+    BitSet covered = new BitSet();
+    new Disc(new LoadSize(1.4, 1.0).diameter() / 2 - 0.1)
+        .cellsAt(GRID, silent)
+        .forEach(cell -> covered.set(GRID.index(cell)));
+    assertTrue(covered.cardinality() > 1);
+    until(view -> keepsAll(view, covered));
+    stage.restart();
+    until(view -> keepsAll(view, covered));
+
+    scriptedRobot("r1").speakAgain();
+    until(view -> task(view, task).state() == TaskState.RETURNING);
+    until(view -> task(view, task).state() == TaskState.DONE);
+  }
+
+  @Test
+  void aLoadTooWideForTheDoorIsRefused() throws Exception {
+    TaskOrder order = wide(new LoadSize(0.9, 0.8), new Where.Station("West"));
+
+    Answer.Rejected<?> refused =
+        assertInstanceOf(Answer.Rejected.class, answer(stage.fleet.submit(order, "Clara")));
+
+    assertEquals("load", refused.field());
+    assertEquals(
+        "There is no path from West to (13.50, 1.50) for a load of 0.90 m x 0.80 m on one robot:"
+            + " it needs 1.20 m wherever it turns.",
+        refused.sentence().english());
+    submit(wide(new LoadSize(0.6, 0.6), new Where.Station("West")));
+  }
+
+  /** To the other end of the east room. */
+  private static TaskOrder wide(LoadSize size, Where start) {
+    Where goal = new Where.Point(new Vec2(13.5, 1.5));
+    return new TaskOrder("crate", 1, start, goal, null, 0, null, size);
+  }
+
+  private static boolean keepsAll(FleetSnapshot view, BitSet cells) {
+    BitSet free = (BitSet) cells.clone();
+    List<Integer> kept = silentRobotCells(view).getOrDefault("r1", CellRuns.NONE).runs();
+    for (int i = 0; i < kept.size(); i += 2) {
+      free.clear(kept.get(i), kept.get(i) + kept.get(i + 1));
+    }
+    return free.isEmpty();
+  }
+
+  private static Map<String, CellRuns> silentRobotCells(FleetSnapshot view) {
+    return view.floors().isEmpty() ? Map.of() : view.floors().getFirst().silentRobotCells();
   }
 
   @Test

@@ -35,14 +35,15 @@ public final class TrueBodies {
   public List<Body> all() {
     List<Body> bodies = new ArrayList<>(robots.bodies());
     fleet.get().tasks().stream()
-        .filter(task -> task.state() == TaskState.CARRYING && task.robots().size() > 1)
+        .filter(task -> task.state() == TaskState.CARRYING)
+        .filter(task -> task.robots().size() > 1 || task.task().size() != null)
         .flatMap(task -> load(task).stream())
         .forEach(bodies::add);
     return bodies;
   }
 
   /**
-   * The carriers are all round the load's middle, the leader in front; see {@link
+   * On its carrier; or several are all round its middle, the leader in front, see {@link
    * org.toqa.formation.Shape}.
    */
   private Optional<Body> load(TaskView task) {
@@ -55,7 +56,10 @@ public final class TrueBodies {
       return Optional.empty();
     }
     Vec2 middle = places.stream().reduce(Vec2.ZERO, Vec2::plus).times(1.0 / places.size());
-    double heading = places.getFirst().minus(middle).angle();
+    double heading =
+        places.size() == 1
+            ? robots.truePose(task.robots().getFirst()).orElseThrow().theta()
+            : places.getFirst().minus(middle).angle();
     LoadSize size = Objects.requireNonNullElse(task.task().size(), LoadSize.DEFAULT);
     return Optional.of(
         Body.load(

@@ -66,6 +66,7 @@ final class DriveDispatcher {
             || isGoalOutdated(robot, goal);
     state.traffic.setMovable(
         robot.name(), robot.isFit() && !robot.hold.isHeld() && !isStray && !isWaiting);
+    state.traffic.setDiameter(robot.name(), state.diameter(robot));
     state.traffic.setGoal(
         robot.name(),
         goal == null || isOnOtherDrive ? null : goal.goal(),

@@ -23,6 +23,7 @@ import org.toqa.geometry.Vec2;
 import org.toqa.grid.FloorMap;
 import org.toqa.grid.Place;
 import org.toqa.mission.Mission;
+import org.toqa.mission.TaskState;
 import org.toqa.traffic.floor.FloorTraffic;
 import org.toqa.wording.Phrase;
 import org.toqa.wording.Sentence;
@@ -84,6 +85,21 @@ public final class FloorState {
         .map(r -> r.record().parking())
         .flatMap(floor::place)
         .map(Place::position);
+  }
+
+  /**
+   * Across what a robot covers wherever it turns, with what it carries alone, metres. A load whose
+   * size nobody said does not stand out from it.
+   */
+  double diameter(FloorRobot robot) {
+    double own = robot.reported.footprint();
+    return missions
+        .missionOf(robot.name())
+        .filter(mission -> mission.state() == TaskState.CARRYING)
+        .filter(mission -> mission.assignedRobots().size() == 1)
+        .map(mission -> mission.task().size())
+        .map(size -> Math.max(own, size.diameter()))
+        .orElse(own);
   }
 
   boolean isAt(FloorRobot robot, Vec2 place) {

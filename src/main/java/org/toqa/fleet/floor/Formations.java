@@ -241,7 +241,7 @@ final class Formations {
           state.traffic.removeRobot(robot.name());
         }
       } else if (!state.traffic.hasRobot(robot.name()) && report.role() == Role.FOLLOWER) {
-        state.traffic.reportStanding(robot.name(), pose, robot.reported.footprint(), state.now);
+        state.traffic.reportStanding(robot.name(), pose, state.diameter(robot), state.now);
       }
       if (state.traffic.hasRobot(robot.name())) {
         Optional<Formation> led = ledFormation(robot.name());

@@ -107,7 +107,8 @@ final class RobotEventHandler {
     if (robot == null || place == null) {
       return;
     }
-    state.traffic.reportStanding(robot.name(), place.pose(), place.diameter(), state.now);
+    double diameter = Math.max(place.diameter(), state.diameter(robot));
+    state.traffic.reportStanding(robot.name(), place.pose(), diameter, state.now);
     if (!place.sinceDriven().segments().isEmpty()) {
       state
           .formations
@@ -159,7 +160,7 @@ final class RobotEventHandler {
     Optional<StoredDrive> drive = stored.filter(d -> d.seq() == hello.drive());
     robot.drive.reconnect(drive, stored.map(StoredDrive::seq).orElse(0L));
     if (!state.formations.isCoveredByLeader(robot.name())) {
-      state.traffic.reportStanding(robot.name(), hello.pose(), hello.footprint(), state.now);
+      state.traffic.reportStanding(robot.name(), hello.pose(), state.diameter(robot), state.now);
       state.formations.updateTraffic();
       if (drive.isPresent() && hello.role() != Role.FOLLOWER) {
         resumeDriveInTraffic(robot, drive.get(), hello.pose(), hello.segment(), hello.released());
@@ -204,8 +205,7 @@ final class RobotEventHandler {
         robot.drive.end();
         storePlace(robot, said.pose());
       }
-      state.traffic.reportStanding(
-          robot.name(), said.pose(), robot.reported.footprint(), state.now);
+      state.traffic.reportStanding(robot.name(), said.pose(), state.diameter(robot), state.now);
     }
     if (said.localised()) {
       state.addRobotLines(
@@ -220,7 +220,7 @@ final class RobotEventHandler {
     if (isElsewhere && robot.storing.takesPlace()) {
       robot.drive.setStoredPlace(pose);
       String name = robot.name();
-      double diameter = robot.reported.footprint();
+      double diameter = state.diameter(robot);
       long drive = robot.drive.lastNumber();
       state.writer.write(() -> state.store.savePlace(name, pose, diameter, drive), () -> {});
     }
@@ -280,7 +280,7 @@ final class RobotEventHandler {
     state.traffic.adoptTrajectory(
         robot.name(),
         pose,
-        robot.reported.footprint(),
+        state.diameter(robot),
         drive.trajectory(),
         segment,
         released,
@@ -319,7 +319,7 @@ final class RobotEventHandler {
     } else {
       robot.drive.end();
       if (pose != null) {
-        state.traffic.reportStanding(robot.name(), pose, robot.reported.footprint(), state.now);
+        state.traffic.reportStanding(robot.name(), pose, state.diameter(robot), state.now);
       }
     }
   }
@@ -350,7 +350,7 @@ final class RobotEventHandler {
       robot.cancelDrive();
     } else if (pose != null) {
       robot.drive.end();
-      state.traffic.reportStanding(robot.name(), pose, robot.reported.footprint(), state.now);
+      state.traffic.reportStanding(robot.name(), pose, state.diameter(robot), state.now);
     }
   }
 }

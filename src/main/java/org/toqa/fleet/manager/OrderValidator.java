@@ -28,6 +28,7 @@ import org.toqa.grid.Place;
 import org.toqa.mission.Mission;
 import org.toqa.mission.TaskPlace;
 import org.toqa.mission.TransportTask;
+import org.toqa.mission.TransportTask.LoadSize;
 import org.toqa.wording.Phrase;
 import org.toqa.wording.Sentence;
 
@@ -68,7 +69,7 @@ final class OrderValidator {
       TaskOrder order, String user, Instant now, Capacity capacity, OrderChecks.Check check) {
     List<Answer<TransportTask>> resolved = resolveTask(order, user, now, capacity.total());
     return resolved.getFirst() instanceof Answer.Accepted<TransportTask>(TransportTask task)
-        ? checkPath(task, check)
+        ? checkPath(task, capacity, check)
             .thenCompose(checked -> checkRoom(checked, capacity, check))
             .thenApply(List::of)
         : CompletableFuture.completedFuture(resolved);
@@ -154,23 +155,43 @@ final class OrderValidator {
         "goal", Phrase.NO_WAY_BETWEEN.with(from.sentence(), to.sentence()));
   }
 
+  /** Whether there is a path, for the smallest robot, and for the load where one carries it. */
   private CompletionStage<Answer<TransportTask>> checkPath(
-      TransportTask task, OrderChecks.Check check) {
+      TransportTask task, Capacity capacity, OrderChecks.Check check) {
+    LoadSize size = task.size();
+    return hasPath(task, 2 * PlaceCheck.SMALLEST_RADIUS, check)
+        .thenCompose(
+            hasPath ->
+                !hasPath
+                    ? CompletableFuture.completedFuture(noPath(task.start(), task.goal()))
+                    : size == null || !capacity.narrowestTeams(task).isEmpty()
+                        ? CompletableFuture.completedFuture(new Answer.Accepted<>(task))
+                        : checkPathWithLoad(task, size, check));
+  }
+
+  private CompletionStage<Answer<TransportTask>> checkPathWithLoad(
+      TransportTask task, LoadSize size, OrderChecks.Check check) {
+    return hasPath(task, Math.max(size.diameter(), 2 * PlaceCheck.SMALLEST_RADIUS), check)
+        .thenApply(
+            hasPath ->
+                hasPath
+                    ? new Answer.Accepted<>(task)
+                    : new Answer.Rejected<>(
+                        "load",
+                        Phrase.NO_WAY_FOR_LOAD.with(
+                            task.start().sentence(),
+                            task.goal().sentence(),
+                            size.length(),
+                            size.width(),
+                            size.diameter())));
+  }
+
+  private CompletionStage<Boolean> hasPath(
+      TransportTask task, double diameter, OrderChecks.Check check) {
     OccupancyGrid grid = floor(task.floor()).orElseThrow().grid();
     return paths
-        .findPath(
-            grid,
-            task.start().position(),
-            task.goal().position(),
-            2 * PlaceCheck.SMALLEST_RADIUS,
-            check)
-        .thenApply(
-            path ->
-                switch (path) {
-                  case FloorPath.Found _, FloorPath.FoundBetweenCells _ ->
-                      new Answer.Accepted<>(task);
-                  case FloorPath.NotFound _ -> noPath(task.start(), task.goal());
-                });
+        .findPath(grid, task.start().position(), task.goal().position(), diameter, check)
+        .thenApply(path -> !(path instanceof FloorPath.NotFound));
   }
 
   /**

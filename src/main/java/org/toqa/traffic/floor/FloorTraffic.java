@@ -140,6 +140,26 @@ public final class FloorTraffic {
     freePathsThrough(robot, known);
   }
 
+  /**
+   * The robot covers more than before, as with a load on it, or less: it and those near it are
+   * planned anew.
+   *
+   * @param diameter metres
+   */
+  public void setDiameter(String name, double diameter) {
+    TrafficRobot robot = robot(name);
+    if (robot.radius() == diameter / 2) {
+      return;
+    }
+    robot.setPose(robot.pose(), diameter / 2);
+    freeUnreleased(robot);
+    SweptArea standing = robot.standingArea();
+    robots.values().stream()
+        .filter(other -> other != robot && other.drive.hasUnreleasedNear(standing))
+        .forEach(this::freeUnreleased);
+    trigger.markChanged();
+  }
+
   /** Where nobody expected the robot, the others give up what is not released to them. */
   private void freePathsThrough(TrafficRobot robot, List<SweptArea> known) {
     SweptArea standing = robot.standingArea();

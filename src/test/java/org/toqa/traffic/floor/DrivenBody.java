@@ -19,7 +19,7 @@ final class DrivenBody {
   private static final double ARRIVED = 0.03;
 
   Pose pose;
-  final double diameter;
+  double diameter;
   @Nullable Trajectory trajectory;
   int released;
   int completed;

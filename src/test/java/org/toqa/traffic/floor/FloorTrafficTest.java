@@ -49,6 +49,24 @@ class FloorTrafficTest {
     assertTrue(floor.areAllArrived(), () -> floor.reasons().toString());
   }
 
+  /** As with a load on it that stands out from it. */
+  @Test
+  void whoComesByKeepsOffARobotThatCoversMoreThanBefore() {
+    String row = ".........";
+    DrivenFloor floor =
+        new DrivenFloor(DrivenFloor.draw(row, row, row, row, row, row, row, row), 1);
+    floor.put("wide", new Cell(4, 5));
+    floor.put("other", new Cell(0, 3));
+    floor.send("other", new Cell(8, 3));
+    floor.step();
+
+    floor.body("wide").diameter = 1.2;
+    floor.traffic.setDiameter("wide", 1.2);
+    floor.drive(LIMIT);
+
+    assertTrue(floor.isAt("other", new Cell(8, 3)));
+  }
+
   @ParameterizedTest
   @ValueSource(longs = {1, 2, 3})
   void fourArrivalsAtACrossingAtOnce(long seed) {
