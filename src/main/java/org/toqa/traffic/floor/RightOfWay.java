@@ -122,11 +122,6 @@ final class RightOfWay {
     return holder != null;
   }
 
-  /** Whether one of these may be kept out. */
-  boolean isClosedTo(Collection<TrafficRobot> robots) {
-    return isClosed() && !robots.isEmpty();
-  }
-
   /** What is closed to a robot, in parts. */
   List<SweptArea> closedTo(TrafficRobot robot) {
     return robot.name.equals(holder) ? List.of() : way;

@@ -32,7 +32,9 @@ final class WaitReasonFinder {
     }
     Optional<List<Section>> sections = singleRobotPlanner.pathAroundNotMovable(robot, robots);
     if (sections.isPresent()) {
-      return firstBlocking(robot, sections.get(), robots, claimed)
+      List<TrafficRobot> standing = robots.stream().filter(WaitReasonFinder::stays).toList();
+      return firstBlocking(robot, sections.get(), standing, claimed)
+          .or(() -> firstBlocking(robot, sections.get(), robots, claimed))
           .orElse(new WaitReason.NoPlan(goal));
     }
     List<TrafficRobot> notMovable = robots.stream().filter(o -> !o.isMovable()).toList();
@@ -40,6 +42,11 @@ final class WaitReasonFinder {
         .pathAlone(robot)
         .flatMap(alone -> firstBlocking(robot, alone, notMovable, claimed))
         .orElseGet(() -> reasonWithoutPath(robot, goal));
+  }
+
+  /** A group that stands makes no room; whoever is before it on a path may. */
+  private static boolean stays(TrafficRobot robot) {
+    return robot.isFormation() && robot.drive.isOver();
   }
 
   private Optional<WaitReason> firstBlocking(

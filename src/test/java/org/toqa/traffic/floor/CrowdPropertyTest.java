@@ -1,8 +1,5 @@
 package org.toqa.traffic.floor;
 
-import static org.junit.jupiter.api.Assertions.assertTrue;
-
-import net.jqwik.api.Example;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
 import net.jqwik.api.constraints.LongRange;
@@ -18,14 +15,6 @@ class CrowdPropertyTest {
   @Property(tries = 1, seed = "20261126")
   void inACrowdNothingTouchesAndEachArrivesOrSaysWhyNot(@ForAll @LongRange(min = 0) long seed) {
     floors.count(Crowd.drive(seed, ROBOTS));
-  }
-
-  /**
-   * Others were led to and fro between lanes of two widths, on account of one that gets nowhere.
-   */
-  @Example
-  void robotsOfTwoSizesAreNotLedToAndFro() {
-    assertTrue(Crowd.drive(2, 24));
   }
 
   @AfterProperty
