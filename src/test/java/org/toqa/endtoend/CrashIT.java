@@ -60,11 +60,11 @@ class CrashIT {
     }
   }
 
-  /** Loads that fill them; their tasks. */
+  /** Loads past which no robot gets there; their tasks. */
   private static List<Long> setDownInTheDoors(RunningServer server) throws Exception {
     Map<String, Object> order =
         new HashMap<>(RunningServer.order("set down", "Packing 2", "Goods-in 1"));
-    order.put("size", Map.of("length", 0.9, "width", 0.9));
+    order.put("size", Map.of("length", 0.6, "width", 0.5));
     List<Long> tasks = new ArrayList<>();
     for (int i = 0; i < DOORS.size(); i++) {
       tasks.add(server.api().post("tasks", order).get("id").asLong());
