@@ -153,7 +153,8 @@ final class SingleRobotPlanner {
   }
 
   /**
-   * One that keeps off what is claimed, to the nearest place away from some areas.
+   * One that keeps off what is claimed, to the nearest place away from some areas; into none where
+   * it would graze a wall.
    *
    * @param left what it has to leave
    */
@@ -161,7 +162,8 @@ final class SingleRobotPlanner {
       TrafficRobot robot, List<SweptArea> claimed, List<SweptArea> left) {
     return robot.formation() != null
         ? Optional.empty()
-        : pathAmong(robot, claimed, (free, start) -> nearestOutside(free, start, robot, left));
+        : pathAmong(robot, claimed, (free, start) -> nearestOutside(free, start, robot, left))
+            .filter(sections -> room(robot, sections) > 0);
   }
 
   /** Where to go on a floor, if anywhere. */
