@@ -92,7 +92,15 @@ public final class FloorState {
    * size nobody said does not stand out from it.
    */
   double diameter(FloorRobot robot) {
-    double own = robot.reported.footprint();
+    return diameter(robot, robot.reported.footprint());
+  }
+
+  /**
+   * The same of one that may not have said what it covers yet.
+   *
+   * @param own across the robot alone, metres, or what was kept for it before
+   */
+  double diameter(FloorRobot robot, double own) {
     return missions
         .missionOf(robot.name())
         .filter(mission -> mission.state() == TaskState.CARRYING)

@@ -107,7 +107,7 @@ final class RobotEventHandler {
     if (robot == null || place == null) {
       return;
     }
-    double diameter = Math.max(place.diameter(), state.diameter(robot));
+    double diameter = state.diameter(robot, place.diameter());
     state.traffic.reportStanding(robot.name(), place.pose(), diameter, state.now);
     if (!place.sinceDriven().segments().isEmpty()) {
       state

@@ -153,22 +153,23 @@ public final class FloorTraffic {
     }
     robot.setPose(robot.pose(), diameter / 2);
     freeUnreleased(robot);
-    SweptArea standing = robot.standingArea();
-    robots.values().stream()
-        .filter(other -> other != robot && other.drive.hasUnreleasedNear(standing))
-        .forEach(this::freeUnreleased);
+    freePathsNear(robot);
     trigger.markChanged();
   }
 
   /** Where nobody expected the robot, the others give up what is not released to them. */
   private void freePathsThrough(TrafficRobot robot, List<SweptArea> known) {
-    SweptArea standing = robot.standingArea();
     boolean isExpected = known.stream().anyMatch(robot::isWithin);
     if (!isExpected) {
-      robots.values().stream()
-          .filter(other -> other != robot && other.drive.hasUnreleasedNear(standing))
-          .forEach(this::freeUnreleased);
+      freePathsNear(robot);
     }
+  }
+
+  private void freePathsNear(TrafficRobot robot) {
+    SweptArea standing = robot.standingArea();
+    robots.values().stream()
+        .filter(other -> other != robot && other.drive.hasUnreleasedNear(standing))
+        .forEach(this::freeUnreleased);
   }
 
   /**

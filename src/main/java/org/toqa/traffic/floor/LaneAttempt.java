@@ -135,7 +135,6 @@ final class LaneAttempt {
    * @return whether anybody gets on by it
    */
   boolean planAhead(NextStepsPlanner nextSteps, Instant now, Deadline deadline) {
-    goals.recordHolders();
     RoadGraph all = freeSpace.laneRoads(diameter);
     List<Cell> goalCells = Arrays.stream(goals.assigned()).mapToObj(roads::cell).toList();
     List<Cell> startCells = planned.stream().map(this::place).toList();
@@ -260,9 +259,13 @@ final class LaneAttempt {
     return planned.size();
   }
 
+  /** Tells each robot who has its goal by this. */
+  void recordHolders() {
+    goals.recordHolders();
+  }
+
   /** Whether one that waits would go on, or one that wants nothing make room. */
   boolean isOfUse() {
-    goals.recordHolders();
     return !wanted.isEmpty() || !isStandingStill();
   }
 
@@ -272,7 +275,6 @@ final class LaneAttempt {
    * @return whether there is a plan
    */
   boolean planWhole(JointPlanner planner, Deadline deadline) {
-    goals.recordHolders();
     Optional<List<int[]>> steps =
         plan(planner, goals, deadline).or(() -> plan(planner, goals.forLongestWaiting(), deadline));
     steps.ifPresent(

@@ -81,11 +81,12 @@ final class LanePlanner {
           continue; // who is at its goal would be moved for nobody's sake
         }
         fewestLeftOut = Math.min(fewestLeftOut, leftOut);
-        if (!isStill
-            && attempt.robotCount() > (rightOfWay.isClosed() ? 0 : MOST_WHOLE)
-            && attempt.planAhead(nextSteps, now, deadline)) {
-          keepWidth(attempt.diameter(), now);
-          return LaneOutcome.PLANNED_AHEAD;
+        if (!isStill && attempt.robotCount() > (rightOfWay.isClosed() ? 0 : MOST_WHOLE)) {
+          attempt.recordHolders();
+          if (attempt.planAhead(nextSteps, now, deadline)) {
+            keepWidth(attempt.diameter(), now);
+            return LaneOutcome.PLANNED_AHEAD;
+          }
         }
         if (leftOut > 0) {
           incomplete.add(attempt);
@@ -143,6 +144,7 @@ final class LanePlanner {
   }
 
   private LaneOutcome tryPlan(LaneAttempt attempt, boolean mustPlan, Deadline deadline) {
+    attempt.recordHolders();
     if (!mustPlan && !attempt.isOfUse()) {
       return LaneOutcome.NOT_NEEDED;
     }

@@ -76,7 +76,7 @@ final class SingleRobotPlanner {
     double longest = DETOUR * duration(near.get());
     return pathWithRoom
         .apply(freeSpace.margins().robot())
-        .filter(roomy -> duration(roomy) <= longest || room(robot, near.get()) == 0)
+        .filter(roomy -> duration(roomy) <= longest || grazesWall(robot, near.get()))
         .or(() -> near);
   }
 
@@ -163,7 +163,7 @@ final class SingleRobotPlanner {
     return robot.formation() != null
         ? Optional.empty()
         : pathAmong(robot, claimed, (free, start) -> nearestOutside(free, start, robot, left))
-            .filter(sections -> room(robot, sections) > 0);
+            .filter(sections -> !grazesWall(robot, sections));
   }
 
   /** Where to go on a floor, if anywhere. */
@@ -191,11 +191,11 @@ final class SingleRobotPlanner {
   private Optional<List<Section>> pathAmong(
       TrafficRobot robot, List<SweptArea> claimed, GoalChoice aim) {
     Optional<List<Section>> path = roomiest(robot, room -> pathAmong(robot, room, claimed, aim));
-    if (claimed.isEmpty() || path.filter(sections -> room(robot, sections) == 0).isEmpty()) {
+    if (claimed.isEmpty() || path.filter(sections -> grazesWall(robot, sections)).isEmpty()) {
       return path;
     }
     return roomiest(robot, room -> pathAmong(robot, room, List.of(), aim))
-            .filter(alone -> room(robot, alone) > 0)
+            .filter(alone -> !grazesWall(robot, alone))
             .isPresent()
         ? Optional.empty()
         : path;
@@ -271,12 +271,17 @@ final class SingleRobotPlanner {
         .max(Comparator.comparingDouble(path -> room(robot, path)));
   }
 
-  /** What a path keeps from walls, metres: one of the steps, or 0. */
+  /** Whether a path keeps less from walls than robots keep where they have little room. */
+  private boolean grazesWall(TrafficRobot robot, List<Section> path) {
+    return room(robot, path) < 0;
+  }
+
+  /** What a path keeps from walls, metres: one of the steps; below 0: none of them. */
   private double room(TrafficRobot robot, List<Section> path) {
     return freeSpace.wallSteps().stream()
         .filter(room -> freeSpace.seenBy(robot).hasRoom(robot, path, room))
         .findFirst()
-        .orElse(0.0);
+        .orElse(-1.0);
   }
 
   /** From beside the middle of a cell the next one may lie behind a corner; from the middle not. */
