@@ -168,6 +168,9 @@ public interface Fleet {
 
   Schedules schedules();
 
+  /** How its floors are drawn. */
+  FloorEditing floorEditing();
+
   /** All floors, the first one the default. */
   List<FloorMap> floors();
 

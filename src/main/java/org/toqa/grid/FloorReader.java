@@ -1,13 +1,15 @@
 package org.toqa.grid;
 
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
-import java.util.BitSet;
+import java.util.Arrays;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Locale;
 import java.util.Set;
+import java.util.stream.Collectors;
+import org.jspecify.annotations.Nullable;
+import org.toqa.geometry.Angles;
 import org.toqa.geometry.Vec2;
 
 /**
@@ -16,25 +18,43 @@ import org.toqa.geometry.Vec2;
  *
  * <pre>
  * stations:                       # also parking, charging
- *   - {name: Packing, x: 1.65, y: 2.25}
+ *   - {name: Packing, x: 1.65, y: 2.25, headingDegrees: 90, approach: north}
  * keepOut:                        # lower left corner and size, metres
  *   - {x: 3.0, y: 4.2, width: 1.2, height: 0.6}
+ * speedLimits:                    # metres a second
+ *   - {x: 3.0, y: 5.0, width: 1.2, height: 0.6, speed: 0.2}
+ * oneWay:                         # east, north, west or south
+ *   - {x: 3.0, y: 6.0, width: 1.2, height: 0.6, direction: east}
  * </pre>
  */
 public final class FloorReader {
-  private static final int LONGEST_NAME = 64;
+  static final String FLOOR_FILE = ".floor.yaml";
+  static final String STATIONS = "stations";
+  static final String PARKING = "parking";
+  static final String CHARGING = "charging";
+  static final String KEEP_OUT = "keepOut";
+  static final String SPEED_LIMITS = "speedLimits";
+  static final String ONE_WAY = "oneWay";
 
   private FloorReader() {}
 
   public static FloorMap read(Path mapFile) throws MapFormatException {
-    Path fileName = mapFile.getFileName();
-    String file = fileName == null ? "" : fileName.toString();
+    return read(MapFile.of(mapFile));
+  }
+
+  /** The floor whose files are packed together; it is called as its map's file. */
+  public static FloorMap read(MapArchive archive) throws MapFormatException {
+    return read(archive.main());
+  }
+
+  private static FloorMap read(MapFile mapFile) throws MapFormatException {
+    String file = mapFile.name();
     String lower = file.toLowerCase(Locale.ROOT);
     OccupancyGrid grid;
-    if (lower.endsWith(".floor.yaml")) {
+    if (lower.endsWith(FLOOR_FILE)) {
       throw new MapFormatException(
           mapFile + " only adds to a map; name the map's own .yaml or .map file.");
-    } else if (lower.endsWith(".yaml")) {
+    } else if (lower.endsWith(".yaml") || lower.endsWith(".yml")) {
       grid = MapServerReader.read(mapFile);
     } else if (lower.endsWith(".map")) {
       grid = MovingAiReader.read(mapFile);
@@ -43,35 +63,99 @@ public final class FloorReader {
           mapFile + ": a map is a .yaml file (ROS map_server) or a .map file (MovingAI).");
     }
     String name = file.substring(0, file.lastIndexOf('.'));
-    Path extra = mapFile.resolveSibling(name + ".floor.yaml");
-    return Files.exists(extra)
-        ? withPlaces(name, grid, extra)
-        : new FloorMap(name, grid, List.of(), List.of(), List.of());
+    MapFile extra = mapFile.sibling(name + FLOOR_FILE);
+    FloorDrawing drawing = extra.exists() ? withPlaces(grid, extra) : FloorDrawing.of(grid);
+    return new FloorMap(name, drawing, Margins.USUAL);
   }
 
-  private static FloorMap withPlaces(String name, OccupancyGrid bare, Path file)
+  private static FloorDrawing withPlaces(OccupancyGrid walls, MapFile file)
       throws MapFormatException {
-    YamlFields yaml = YamlFields.read(file, List.of("stations", "parking", "charging", "keepOut"));
-    OccupancyGrid grid = withoutKeepOut(bare, yaml);
+    YamlFields yaml =
+        YamlFields.read(
+            file, List.of(STATIONS, PARKING, CHARGING, KEEP_OUT, SPEED_LIMITS, ONE_WAY));
+    List<Area> keepOut = new ArrayList<>();
+    for (YamlFields zone : items(yaml, KEEP_OUT)) {
+      keepOut.add(area(zone));
+    }
+    List<SpeedLimit> speedLimits = new ArrayList<>();
+    for (YamlFields zone : items(yaml, SPEED_LIMITS, "speed")) {
+      speedLimits.add(new SpeedLimit(area(zone), speed(zone)));
+    }
+    List<OneWay> oneWay = new ArrayList<>();
+    for (YamlFields zone : items(yaml, ONE_WAY, "direction")) {
+      oneWay.add(new OneWay(area(zone), direction(zone, "direction")));
+    }
+    OccupancyGrid drivable =
+        new FloorDrawing(walls, List.of(), List.of(), List.of(), keepOut, List.of(), List.of())
+            .drivable();
     Set<String> names = new HashSet<>();
-    return new FloorMap(
-        name,
-        grid,
-        places(yaml, "stations", grid, names),
-        places(yaml, "parking", grid, names),
-        places(yaml, "charging", grid, names));
+    return new FloorDrawing(
+        walls,
+        places(yaml, STATIONS, drivable, names),
+        places(yaml, PARKING, drivable, names),
+        places(yaml, CHARGING, drivable, names),
+        keepOut,
+        speedLimits,
+        oneWay);
+  }
+
+  private static List<YamlFields> items(YamlFields yaml, String key, String... more)
+      throws MapFormatException {
+    List<String> known = new ArrayList<>(List.of("x", "y", "width", "height"));
+    known.addAll(List.of(more));
+    return yaml.items(key, known);
+  }
+
+  private static Area area(YamlFields zone) throws MapFormatException {
+    for (String side : List.of("width", "height")) {
+      if (!(zone.metres(side) > 0)) {
+        throw zone.error(side, "must be larger than 0 m.");
+      }
+    }
+    return new Area(
+        new Vec2(zone.metres("x"), zone.metres("y")), zone.metres("width"), zone.metres("height"));
+  }
+
+  private static double speed(YamlFields zone) throws MapFormatException {
+    double speed = zone.number("speed");
+    if (speed < FloorLimits.SLOWEST || speed > FloorLimits.FASTEST) {
+      throw zone.error(
+          "speed",
+          "is in metres a second, from "
+              + FloorLimits.SLOWEST
+              + " to "
+              + FloorLimits.FASTEST
+              + ".");
+    }
+    return speed;
+  }
+
+  private static Direction direction(YamlFields item, String key) throws MapFormatException {
+    String word = item.text(key);
+    return Direction.ofWord(word)
+        .orElseThrow(
+            () ->
+                item.error(
+                    key,
+                    "is one of "
+                        + Arrays.stream(Direction.values())
+                            .map(Direction::word)
+                            .collect(Collectors.joining(", "))
+                        + ", not '"
+                        + word
+                        + "'."));
   }
 
   private static List<Place> places(
       YamlFields yaml, String key, OccupancyGrid grid, Set<String> names)
       throws MapFormatException {
     List<Place> places = new ArrayList<>();
-    for (YamlFields item : yaml.items(key, List.of("name", "x", "y"))) {
+    for (YamlFields item :
+        yaml.items(key, List.of("name", "x", "y", "headingDegrees", "approach"))) {
       String name = item.text("name").strip();
-      if (name.isEmpty()
-          || name.length() > LONGEST_NAME
-          || name.chars().anyMatch(Character::isISOControl)) {
-        throw item.error("name", "must have 1 to " + LONGEST_NAME + " letters on one line.");
+      if (!FloorLimits.isName(name)) {
+        throw item.error(
+            "name", "must have 1 to " + FloorLimits.LONGEST_NAME + " letters on one line.");
       }
       if (!names.add(name)) {
         throw item.error("name", "'" + name + "' is there twice; give each place its own.");
@@ -88,38 +172,20 @@ public final class FloorReader {
                     position.y(),
                     offMap ? "off the map" : "in a wall or a keep-out zone"));
       }
-      places.add(new Place(name, position));
+      Direction approach = item.has("approach") ? direction(item, "approach") : null;
+      places.add(new Place(name, position, heading(item), approach));
     }
     return places;
   }
 
-  /** Occupies every cell that a keep-out rectangle overlaps. */
-  private static OccupancyGrid withoutKeepOut(OccupancyGrid grid, YamlFields yaml)
-      throws MapFormatException {
-    BitSet occupied = grid.occupied();
-    for (YamlFields zone : yaml.items("keepOut", List.of("x", "y", "width", "height"))) {
-      Vec2 lowerLeft = new Vec2(zone.metres("x"), zone.metres("y"));
-      for (String side : List.of("width", "height")) {
-        if (!(zone.metres(side) > 0)) {
-          throw zone.error(side, "must be larger than 0 m.");
-        }
-      }
-      Vec2 upperRight = lowerLeft.plus(new Vec2(zone.metres("width"), zone.metres("height")));
-      occupy(occupied, grid, lowerLeft, upperRight);
+  private static @Nullable Double heading(YamlFields item) throws MapFormatException {
+    if (!item.has("headingDegrees")) {
+      return null;
     }
-    return grid.withOccupied(occupied);
-  }
-
-  private static void occupy(BitSet occupied, OccupancyGrid grid, Vec2 lowerLeft, Vec2 upperRight) {
-    // a zone that ends on a cell's border does not reach into the next cell
-    double rounding = grid.resolution() * 1e-6;
-    Vec2 inset = new Vec2(rounding, rounding);
-    Cell low = grid.cellAt(lowerLeft.plus(inset));
-    Cell high = grid.cellAt(upperRight.minus(inset));
-    for (int row = Math.max(0, high.row()); row <= low.row() && row < grid.height(); row++) {
-      int from = Math.clamp(low.column(), 0, grid.width());
-      int to = Math.clamp(high.column() + 1L, from, grid.width());
-      occupied.set(row * grid.width() + from, row * grid.width() + to);
+    double degrees = item.number("headingDegrees");
+    if (Math.abs(degrees) > 360) {
+      throw item.error("headingDegrees", "lies between -360 and 360.");
     }
+    return Angles.normalise(Math.toRadians(degrees));
   }
 }

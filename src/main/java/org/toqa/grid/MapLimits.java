@@ -1,9 +1,5 @@
 package org.toqa.grid;
 
-import java.io.IOException;
-import java.nio.file.Files;
-import java.nio.file.NoSuchFileException;
-import java.nio.file.Path;
 
 /** What a map file may be at most; checked before memory is taken for it. */
 final class MapLimits {
@@ -21,7 +17,7 @@ final class MapLimits {
 
   private MapLimits() {}
 
-  static void checkSize(Path file, long width, long height) throws MapFormatException {
+  static void checkSize(MapFile file, long width, long height) throws MapFormatException {
     if (width < 1 || height < 1) {
       throw new MapFormatException(
           file + ": the map is " + width + " x " + height + " cells; both must be at least 1.");
@@ -30,25 +26,6 @@ final class MapLimits {
       throw new MapFormatException(
           "%s: the map is %d x %d cells, more than %d; use larger cells or split the floor."
               .formatted(file, width, height, MAX_CELLS));
-    }
-  }
-
-  static byte[] readBytes(Path file, long limit) throws MapFormatException {
-    try {
-      long size = Files.size(file);
-      if (size > limit) {
-        throw new MapFormatException(
-            "%s has %d bytes, more than the %d that a map file may have."
-                .formatted(file, size, limit));
-      }
-      return Files.readAllBytes(file);
-    } catch (NoSuchFileException e) {
-      throw new MapFormatException("There is no file " + file + "; check the map's path.", e);
-    } catch (MapFormatException e) {
-      throw e;
-    } catch (IOException e) {
-      throw new MapFormatException(
-          file + " cannot be read; check that it is a file and its permissions.", e);
     }
   }
 }

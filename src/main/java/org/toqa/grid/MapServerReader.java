@@ -19,6 +19,10 @@ public final class MapServerReader {
   private MapServerReader() {}
 
   public static OccupancyGrid read(Path yamlFile) throws MapFormatException {
+    return read(MapFile.of(yamlFile));
+  }
+
+  static OccupancyGrid read(MapFile yamlFile) throws MapFormatException {
     YamlFields yaml = YamlFields.read(yamlFile, KEYS);
     double resolution = yaml.number("resolution");
     if (resolution < 0.001 || resolution > 100) {
@@ -27,7 +31,7 @@ public final class MapServerReader {
     List<Double> origin = origin(yaml);
     Vec2 corner = new Vec2(origin.get(0), origin.get(1));
     DoublePredicate isFree = freeShades(yaml);
-    GreyImage image = image(yamlFile.resolveSibling(yaml.text("image")), yaml);
+    GreyImage image = image(yamlFile.sibling(yaml.text("image")), yaml);
     BitSet occupied = new BitSet(image.width() * image.height());
     for (int i = 0; i < image.width() * image.height(); i++) {
       occupied.set(i, !isFree.test(image.shades().at(i)));
@@ -83,7 +87,7 @@ public final class MapServerReader {
     return threshold;
   }
 
-  private static GreyImage image(Path file, YamlFields yaml) throws MapFormatException {
+  private static GreyImage image(MapFile file, YamlFields yaml) throws MapFormatException {
     String name = file.toString().toLowerCase(Locale.ROOT);
     if (name.endsWith(".pgm")) {
       return PgmReader.read(file);

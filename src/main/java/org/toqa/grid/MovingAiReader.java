@@ -17,7 +17,11 @@ public final class MovingAiReader {
   private MovingAiReader() {}
 
   public static OccupancyGrid read(Path file) throws MapFormatException {
-    byte[] bytes = MapLimits.readBytes(file, MapLimits.MAX_MAP_BYTES);
+    return read(MapFile.of(file));
+  }
+
+  static OccupancyGrid read(MapFile file) throws MapFormatException {
+    byte[] bytes = file.read(MapLimits.MAX_MAP_BYTES);
     List<String> lines = new String(bytes, StandardCharsets.ISO_8859_1).lines().toList();
     expect(file, lines, 0, "type octile");
     int height = size(file, lines, 1, "height");
@@ -43,7 +47,7 @@ public final class MovingAiReader {
     return index < lines.size() ? lines.get(index) : "";
   }
 
-  private static void expect(Path file, List<String> lines, int index, String text)
+  private static void expect(MapFile file, List<String> lines, int index, String text)
       throws MapFormatException {
     if (!line(lines, index).strip().equals(text)) {
       throw new MapFormatException(
@@ -51,7 +55,7 @@ public final class MovingAiReader {
     }
   }
 
-  private static int size(Path file, List<String> lines, int index, String key)
+  private static int size(MapFile file, List<String> lines, int index, String key)
       throws MapFormatException {
     String[] words = line(lines, index).strip().split("\\s+", -1);
     if (words.length == 2 && words[0].equals(key) && words[1].matches("\\d{1,9}")) {

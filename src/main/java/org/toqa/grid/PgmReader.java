@@ -1,20 +1,19 @@
 package org.toqa.grid;
 
-import java.nio.file.Path;
 
 /** Reads portable grey maps, in text (P2) and binary (P5), of 8 and 16 bits. */
 final class PgmReader {
-  private final Path file;
+  private final MapFile file;
   private final byte[] bytes;
   private int at;
 
-  private PgmReader(Path file, byte[] bytes) {
+  private PgmReader(MapFile file, byte[] bytes) {
     this.file = file;
     this.bytes = bytes;
   }
 
-  static GreyImage read(Path file) throws MapFormatException {
-    return new PgmReader(file, MapLimits.readBytes(file, MapLimits.MAX_MAP_BYTES)).image();
+  static GreyImage read(MapFile file) throws MapFormatException {
+    return new PgmReader(file, file.read(MapLimits.MAX_MAP_BYTES)).image();
   }
 
   private GreyImage image() throws MapFormatException {

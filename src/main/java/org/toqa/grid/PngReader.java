@@ -5,7 +5,6 @@ import java.awt.image.IndexColorModel;
 import java.awt.image.Raster;
 import java.io.ByteArrayInputStream;
 import java.io.IOException;
-import java.nio.file.Path;
 import javax.imageio.ImageIO;
 import javax.imageio.ImageReader;
 import javax.imageio.stream.ImageInputStream;
@@ -15,8 +14,8 @@ import javax.imageio.stream.MemoryCacheImageInputStream;
 final class PngReader {
   private PngReader() {}
 
-  static GreyImage read(Path file) throws MapFormatException {
-    byte[] bytes = MapLimits.readBytes(file, MapLimits.MAX_MAP_BYTES);
+  static GreyImage read(MapFile file) throws MapFormatException {
+    byte[] bytes = file.read(MapLimits.MAX_MAP_BYTES);
     ImageReader reader = ImageIO.getImageReadersByFormatName("png").next();
     try (ImageInputStream in = new MemoryCacheImageInputStream(new ByteArrayInputStream(bytes))) {
       reader.setInput(in);

@@ -16,7 +16,7 @@ public final class ScenarioReader {
   private ScenarioReader() {}
 
   public static List<Scenario> read(Path file) throws MapFormatException {
-    byte[] bytes = MapLimits.readBytes(file, MapLimits.MAX_MAP_BYTES);
+    byte[] bytes = MapFile.of(file).read(MapLimits.MAX_MAP_BYTES);
     List<String> lines = new String(bytes, StandardCharsets.ISO_8859_1).lines().toList();
     if (lines.isEmpty() || !lines.getFirst().strip().matches("version\\s+1(\\.0)?")) {
       throw new MapFormatException(

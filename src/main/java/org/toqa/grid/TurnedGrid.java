@@ -1,6 +1,5 @@
 package org.toqa.grid;
 
-import java.nio.file.Path;
 import java.util.BitSet;
 import java.util.List;
 import java.util.stream.Stream;
@@ -21,7 +20,7 @@ final class TurnedGrid {
    * @param grid as if it was not turned
    * @param angle by which it is turned round its origin, radians counter-clockwise
    */
-  static OccupancyGrid turn(Path file, OccupancyGrid grid, double angle) throws MapFormatException {
+  static OccupancyGrid turn(MapFile file, OccupancyGrid grid, double angle) throws MapFormatException {
     if (angle == 0) {
       return grid;
     }

@@ -1,7 +1,6 @@
 package org.toqa.grid;
 
 import java.nio.charset.StandardCharsets;
-import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
@@ -21,8 +20,8 @@ final class YamlFields {
   }
 
   /** The whole file as one mapping with no other keys than these. */
-  static YamlFields read(Path file, List<String> known) throws MapFormatException {
-    byte[] bytes = MapLimits.readBytes(file, MapLimits.MAX_YAML_BYTES);
+  static YamlFields read(MapFile file, List<String> known) throws MapFormatException {
+    byte[] bytes = file.read(MapLimits.MAX_YAML_BYTES);
     try {
       Object root = YamlParser.parse(new String(bytes, StandardCharsets.UTF_8));
       return of(file.toString(), root, known);

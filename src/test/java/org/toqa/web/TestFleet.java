@@ -21,6 +21,7 @@ import org.toqa.fleet.RobotState;
 import org.toqa.fleet.RobotView;
 import org.toqa.fleet.RobotView.Work;
 import org.toqa.fleet.ScheduleStore;
+import org.toqa.fleet.FloorEditing;
 import org.toqa.fleet.Schedules;
 import org.toqa.fleet.SnapshotFeed;
 import org.toqa.fleet.schedule.StoredSchedules;
@@ -41,6 +42,11 @@ public final class TestFleet extends TasksInMemory {
   TestFleet(ScheduleStore scheduleStore, Function<String, @Nullable Long> accountId) {
     super(accountId);
     this.schedules = new StoredSchedules(scheduleStore, this, InstantSource.system());
+  }
+
+  @Override
+  public FloorEditing floorEditing() {
+    throw new IllegalStateException("not yet");
   }
 
   @Override

@@ -27,6 +27,7 @@ import org.toqa.fleet.FleetRules;
 import org.toqa.fleet.FleetRuntime;
 import org.toqa.fleet.FleetSnapshot;
 import org.toqa.fleet.FleetStore;
+import org.toqa.fleet.FloorEditing;
 import org.toqa.fleet.Hold;
 import org.toqa.fleet.PairingOrder;
 import org.toqa.fleet.PathAnswer;
@@ -343,6 +344,11 @@ public final class AgentFleet implements Fleet, AutoCloseable {
   @Override
   public Schedules schedules() {
     return schedules;
+  }
+
+  @Override
+  public FloorEditing floorEditing() {
+    throw new IllegalStateException("not yet");
   }
 
   @Override

@@ -1,0 +1,51 @@
+package org.toqa.grid;
+
+import java.util.BitSet;
+import java.util.List;
+import java.util.stream.Stream;
+
+/**
+ * A floor as it is drawn: its walls, and what is drawn over them. Immutable.
+ *
+ * @param walls occupied where a wall or something else stands that never moves
+ * @param keepOut where nobody drives
+ */
+public record FloorDrawing(
+    OccupancyGrid walls,
+    List<Place> stations,
+    List<Place> parking,
+    List<Place> charging,
+    List<Area> keepOut,
+    List<SpeedLimit> speedLimits,
+    List<OneWay> oneWay) {
+
+  public FloorDrawing {
+    stations = List.copyOf(stations);
+    parking = List.copyOf(parking);
+    charging = List.copyOf(charging);
+    keepOut = List.copyOf(keepOut);
+    speedLimits = List.copyOf(speedLimits);
+    oneWay = List.copyOf(oneWay);
+  }
+
+  /** Walls alone. */
+  public static FloorDrawing of(OccupancyGrid walls) {
+    return new FloorDrawing(
+        walls, List.of(), List.of(), List.of(), List.of(), List.of(), List.of());
+  }
+
+  /** The stations, then the parking points, then the charging points. */
+  public Stream<Place> places() {
+    return Stream.of(stations, parking, charging).flatMap(List::stream);
+  }
+
+  /** The grid that robots drive on: every cell that a keep-out area overlaps is occupied too. */
+  public OccupancyGrid drivable() {
+    if (keepOut.isEmpty()) {
+      return walls;
+    }
+    BitSet occupied = walls.occupied();
+    keepOut.forEach(area -> occupied.or(area.cells(walls)));
+    return walls.withOccupied(occupied);
+  }
+}
