@@ -177,6 +177,9 @@ public interface Fleet {
   /** The failures are among the alerts of its snapshots, within a second. */
   SnapshotFeed snapshots();
 
+  /** The same of one floor alone; empty: there is no such floor. */
+  Optional<SnapshotFeed> snapshots(String floor);
+
   /** Why the fleet cannot go on by itself; empty while it can. Any thread may ask. */
   List<Sentence> failures();
 }

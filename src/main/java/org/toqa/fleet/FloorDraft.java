@@ -8,8 +8,8 @@ import org.toqa.grid.FloorDrawing;
  * What a floor is to look like, which is not in force yet.
  *
  * @param floor its name
- * @param revision rises with every change of the draft; 0: there is none, and the drawing is what
- *     is in force
+ * @param revision rises with every change of the draft and of the map
+ * @param drawing what is in force, where there is no draft
  * @param user who changed it last; null where there is none
  * @param at when that was; null where there is none
  */
@@ -18,4 +18,10 @@ public record FloorDraft(
     long revision,
     FloorDrawing drawing,
     @Nullable String user,
-    @Nullable Instant at) {}
+    @Nullable Instant at) {
+
+  /** Whether there is one. */
+  public boolean isDraft() {
+    return user != null;
+  }
+}

@@ -10,6 +10,7 @@ import org.toqa.link.trust.PairingCode;
  * @param parking a parking point's name; null: the first that no robot has
  * @param code that the robot shows; null: it is not paired
  * @param gateway that reaches it; null: the server does
+ * @param floor where it is; null: on the first
  */
 public record RobotOrder(
     String name,
@@ -18,9 +19,22 @@ public record RobotOrder(
     double maxLoad,
     @Nullable String parking,
     @Nullable PairingCode code,
-    @Nullable String gateway) {
+    @Nullable String gateway,
+    @Nullable String floor) {
 
-  /** For a robot that the server reaches itself. */
+  /** For a robot of the first floor. */
+  public RobotOrder(
+      String name,
+      String host,
+      int port,
+      double maxLoad,
+      @Nullable String parking,
+      @Nullable PairingCode code,
+      @Nullable String gateway) {
+    this(name, host, port, maxLoad, parking, code, gateway, null);
+  }
+
+  /** For a robot of the first floor that the server reaches itself. */
   public RobotOrder(
       String name,
       String host,

@@ -16,8 +16,18 @@ public final class FloorLimits {
 
   private FloorLimits() {}
 
+  /** Whether a floor may be called so, which stands in addresses and tables. */
+  public static boolean isFloorName(String name) {
+    return isName(name)
+        && name.length() <= LONGEST_NAME
+        && name.equals(name.strip())
+        && name.chars().noneMatch(letter -> letter == '/' || letter == '\\')
+        && !name.equals(".")
+        && !name.equals("..");
+  }
+
   /** Whether a place may be called so. */
-  static boolean isName(String name) {
+  public static boolean isName(String name) {
     return !name.isBlank()
         && name.codePointCount(0, name.length()) <= LONGEST_NAME
         && name.chars().noneMatch(Character::isISOControl);

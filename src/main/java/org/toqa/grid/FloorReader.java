@@ -47,7 +47,16 @@ public final class FloorReader {
     return read(archive.main());
   }
 
+  /** The same drawing, where places may also lie in walls or off the map, as while it is drawn. */
+  public static FloorDrawing readDraft(MapArchive archive) throws MapFormatException {
+    return read(archive.main(), false).drawing();
+  }
+
   private static FloorMap read(MapFile mapFile) throws MapFormatException {
+    return read(mapFile, true);
+  }
+
+  private static FloorMap read(MapFile mapFile, boolean checksPlaces) throws MapFormatException {
     String file = mapFile.name();
     String lower = file.toLowerCase(Locale.ROOT);
     OccupancyGrid grid;
@@ -64,12 +73,13 @@ public final class FloorReader {
     }
     String name = file.substring(0, file.lastIndexOf('.'));
     MapFile extra = mapFile.sibling(name + FLOOR_FILE);
-    FloorDrawing drawing = extra.exists() ? withPlaces(grid, extra) : FloorDrawing.of(grid);
+    FloorDrawing drawing = 
+        extra.exists() ? withPlaces(grid, extra, checksPlaces) : FloorDrawing.of(grid);
     return new FloorMap(name, drawing, Margins.USUAL);
   }
 
-  private static FloorDrawing withPlaces(OccupancyGrid walls, MapFile file)
-      throws MapFormatException {
+  private static FloorDrawing withPlaces(
+      OccupancyGrid walls, MapFile file, boolean checksPlaces) throws MapFormatException {
     YamlFields yaml =
         YamlFields.read(
             file, List.of(STATIONS, PARKING, CHARGING, KEEP_OUT, SPEED_LIMITS, ONE_WAY));
@@ -85,9 +95,12 @@ public final class FloorReader {
     for (YamlFields zone : items(yaml, ONE_WAY, "direction")) {
       oneWay.add(new OneWay(area(zone), direction(zone, "direction")));
     }
-    OccupancyGrid drivable =
-        new FloorDrawing(walls, List.of(), List.of(), List.of(), keepOut, List.of(), List.of())
-            .drivable();
+    @Nullable OccupancyGrid drivable =
+        checksPlaces
+            ? new FloorDrawing(
+                    walls, List.of(), List.of(), List.of(), keepOut, List.of(), List.of())
+                .drivable()
+            : null;
     Set<String> names = new HashSet<>();
     return new FloorDrawing(
         walls,
@@ -146,8 +159,11 @@ public final class FloorReader {
                         + "'."));
   }
 
+  /**
+   * @param grid on whose free cells they must lie; null: they may lie anywhere
+   */
   private static List<Place> places(
-      YamlFields yaml, String key, OccupancyGrid grid, Set<String> names)
+      YamlFields yaml, String key, @Nullable OccupancyGrid grid, Set<String> names)
       throws MapFormatException {
     List<Place> places = new ArrayList<>();
     for (YamlFields item :
@@ -161,7 +177,7 @@ public final class FloorReader {
         throw item.error("name", "'" + name + "' is there twice; give each place its own.");
       }
       Vec2 position = new Vec2(item.metres("x"), item.metres("y"));
-      if (!grid.isFree(position)) {
+      if (grid != null && !grid.isFree(position)) {
         boolean offMap = !grid.contains(grid.cellAt(position));
         throw item.error(
             "x",

@@ -19,12 +19,12 @@ public final class FloorWriter {
   private FloorWriter() {}
 
   /** All of the floor. */
-  public static MapArchive mapServerFiles(FloorMap floor) {
-    String name = fileName(floor.name());
+  public static MapArchive mapServerFiles(String floor, FloorDrawing drawing) {
+    String name = fileName(floor);
     Map<String, byte[]> files = new LinkedHashMap<>();
-    files.put(name + ".yaml", text(mapYaml(name, floor.drawing().walls())));
-    files.put(name + ".pgm", picture(floor.drawing().walls()));
-    files.put(name + FloorReader.FLOOR_FILE, text(floorYaml(floor.drawing())));
+    files.put(name + ".yaml", text(mapYaml(name, drawing.walls())));
+    files.put(name + ".pgm", picture(drawing.walls()));
+    files.put(name + FloorReader.FLOOR_FILE, text(floorYaml(drawing)));
     return MapArchive.of(files);
   }
 

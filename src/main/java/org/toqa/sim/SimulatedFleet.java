@@ -5,7 +5,9 @@ import java.net.InetAddress;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.function.BiConsumer;
 import org.slf4j.Logger;
@@ -18,6 +20,7 @@ import org.toqa.agent.config.AgentConfig;
 import org.toqa.agent.config.ChassisConfig;
 import org.toqa.agent.drive.MotionLimits;
 import org.toqa.geometry.Pose;
+import org.toqa.grid.FloorMap;
 
 /**
  * Simulated robots: real daemons over simulated bodies, each behind a TCP port of its own on
@@ -35,7 +38,9 @@ public final class SimulatedFleet implements AutoCloseable {
   private static final MotionLimits LIMITS = new MotionLimits(0.5, 3.5, 0.5, 3);
   private static final double SLIP = 0.01;
 
-  private final SimulatedFloor floor;
+  /** By robot. */
+  private final Map<String, SimulatedFloor> floors = new HashMap<>();
+
   private final VirtualClock clock;
   private final List<SimulatedDaemon> robots = new ArrayList<>();
   private final List<SimulatedMicrocontroller> microcontrollers = new ArrayList<>();
@@ -70,10 +75,23 @@ public final class SimulatedFleet implements AutoCloseable {
   public static SimulatedFleet open(
       Path folder, List<SimulatedRobot> robots, SimulatedFloor floor, VirtualClock clock)
       throws IOException {
-    SimulatedFleet fleet = new SimulatedFleet(floor, clock);
+    return open(folder, Map.of(floor, robots), clock);
+  }
+
+  /**
+   * The same on several floors.
+   *
+   * @param robots by the floor where they are and drive
+   */
+  public static SimulatedFleet open(
+      Path folder, Map<SimulatedFloor, List<SimulatedRobot>> robots, VirtualClock clock)
+      throws IOException {
+    SimulatedFleet fleet = new SimulatedFleet(clock);
     try {
-      for (SimulatedRobot robot : robots) {
-        fleet.add(folder.resolve(robot.name()), robot);
+      for (Map.Entry<SimulatedFloor, List<SimulatedRobot>> floor : robots.entrySet()) {
+        for (SimulatedRobot robot : floor.getValue()) {
+          fleet.add(folder.resolve(robot.name()), robot, floor.getKey());
+        }
       }
       return fleet;
     } catch (IOException e) {
@@ -82,8 +100,7 @@ public final class SimulatedFleet implements AutoCloseable {
     }
   }
 
-  private SimulatedFleet(SimulatedFloor floor, VirtualClock clock) {
-    this.floor = floor;
+  private SimulatedFleet(VirtualClock clock) {
     this.clock = clock;
   }
 
@@ -120,12 +137,28 @@ public final class SimulatedFleet implements AutoCloseable {
 
   /** Where the robot really is, map frame; empty where its body is not simulated as a whole. */
   public Optional<Pose> truePose(String robot) {
-    return floor.truePose(robot);
+    SimulatedFloor floor = floors.get(robot);
+    return floor == null ? Optional.empty() : floor.truePose(robot);
   }
 
-  /** The robots where they really are, but for those whose bodies are not simulated as a whole. */
-  public List<Body> bodies() {
-    return floor.bodies();
+  /**
+   * The robots of a floor where they really are, but for those whose bodies are not simulated as a
+   * whole.
+   */
+  public List<Body> bodies(String floor) {
+    return floors.values().stream()
+        .filter(f -> f.name().equals(floor))
+        .findFirst()
+        .map(SimulatedFloor::bodies)
+        .orElse(List.of());
+  }
+
+  /** From now on walls and chargers of the floor are where this map has them. */
+  public void rebuild(FloorMap floor) {
+    floors.values().stream()
+        .filter(f -> f.name().equals(floor.name()))
+        .distinct()
+        .forEach(f -> f.rebuild(floor));
   }
 
   /**
@@ -156,12 +189,13 @@ public final class SimulatedFleet implements AutoCloseable {
     microcontrollers.clear();
   }
 
-  private ChassisConfig createBody(Path folder, SimulatedRobot robot) throws IOException {
+  private ChassisConfig createBody(Path folder, SimulatedRobot robot, SimulatedFloor floor)
+      throws IOException {
     Path firmware = robot.firmware();
     if (firmware == null) {
       return new ChassisConfig.Simulated(
           robot.start(),
-          new SimulatedBattery(robot.battery(), floor.chargers()),
+          new SimulatedBattery(robot.battery(), floor::chargers),
           SLIP,
           robot.name().hashCode(),
           1,
@@ -173,7 +207,8 @@ public final class SimulatedFleet implements AutoCloseable {
     return new ChassisConfig.SimulatedFirmware(microcontroller.socket(), robot.start(), true);
   }
 
-  private void add(Path folder, SimulatedRobot robot) throws IOException {
+  private void add(Path folder, SimulatedRobot robot, SimulatedFloor floor) throws IOException {
+    floors.put(robot.name(), floor);
     AgentConfig config =
         new AgentConfig(
             robot.name(),
@@ -186,7 +221,7 @@ public final class SimulatedFleet implements AutoCloseable {
             robot.kind(),
             LIMITS,
             AgentConfig.Following.of(robot.kind()),
-            createBody(folder, robot));
+            createBody(folder, robot, floor));
     Daemon daemon = Daemon.open(config, clock, clock.nanos());
     SimulatedDaemon inhabitant =
         new SimulatedDaemon(daemon, new TickSchedule(daemon, clock.nanos()));

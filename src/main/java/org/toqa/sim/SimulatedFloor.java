@@ -32,28 +32,44 @@ public final class SimulatedFloor {
   /** Metres round a mark from where it is read. */
   private static final double MARK_RANGE = 0.05;
 
-  /** Null: there are none, nor marks. */
-  private final @Nullable OccupancyGrid walls;
+  private final String name;
 
-  private final List<Vec2> chargers;
+  /** Null: there are none, nor marks. */
+  private volatile @Nullable OccupancyGrid walls;
+
+  private volatile List<Vec2> chargers;
   private final Map<String, Solid> obstacles = new ConcurrentHashMap<>();
   private final Map<String, Solid> robots = new ConcurrentHashMap<>();
   private final SolidIndex solids = new SolidIndex();
   private final CarriedLoads carriedLoads = new CarriedLoads();
 
-  private SimulatedFloor(@Nullable OccupancyGrid walls, List<Vec2> chargers) {
+  private SimulatedFloor(String name, @Nullable OccupancyGrid walls, List<Vec2> chargers) {
+    this.name = name;
     this.walls = walls;
     this.chargers = List.copyOf(chargers);
   }
 
   public static SimulatedFloor of(FloorMap floor) {
-    return new SimulatedFloor(
-        floor.grid(), floor.charging().stream().map(Place::position).toList());
+    return new SimulatedFloor(floor.name(), floor.drawing().walls(), chargers(floor));
+  }
+
+  private static List<Vec2> chargers(FloorMap floor) {
+    return floor.charging().stream().map(Place::position).toList();
+  }
+
+  /** From now on walls and chargers are where this map has them. */
+  public void rebuild(FloorMap floor) {
+    walls = floor.drawing().walls();
+    chargers = chargers(floor);
   }
 
   /** A floor without walls, marks and chargers. */
   public static SimulatedFloor boundless() {
-    return new SimulatedFloor(null, List.of());
+    return new SimulatedFloor("", null, List.of());
+  }
+
+  String name() {
+    return name;
   }
 
   /** Where robots that are stopped are charged, metres, map frame. */
@@ -141,16 +157,16 @@ public final class SimulatedFloor {
   }
 
   private double distanceToWall(Pose ray, double farthest) {
-    return walls == null
-        ? farthest
-        : RayCast.distance(walls, ray.position(), ray.theta(), farthest);
+    OccupancyGrid now = walls;
+    return now == null ? farthest : RayCast.distance(now, ray.position(), ray.theta(), farthest);
   }
 
   private boolean isMarked(Vec2 point) {
-    return walls != null
+    OccupancyGrid now = walls;
+    return now != null
         && Math.hypot(
-                distanceToMarkRow(point.x() - walls.origin().x()),
-                distanceToMarkRow(point.y() - walls.origin().y()))
+                distanceToMarkRow(point.x() - now.origin().x()),
+                distanceToMarkRow(point.y() - now.origin().y()))
             < MARK_RANGE;
   }
 

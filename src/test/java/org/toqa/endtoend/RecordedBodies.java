@@ -8,7 +8,9 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Set;
 import java.util.TreeSet;
 import org.toqa.grid.FloorReader;
@@ -23,12 +25,13 @@ final class RecordedBodies {
   private static final double STEP = 0.02;
 
   private final ClearanceJudge judge;
+  private final Map<String, ClearanceJudge> elsewhere = new HashMap<>();
   private final RobotTracks tracks = new RobotTracks();
   private final Set<String> robots = new TreeSet<>();
   private final Set<String> loads = new TreeSet<>();
 
   /** A line of the file. */
-  private record Moment(double seconds, List<Body> bodies) {}
+  private record Moment(double seconds, String floor, List<Body> bodies) {}
 
   private RecordedBodies(ClearanceJudge judge) {
     this.judge = judge;
@@ -47,10 +50,26 @@ final class RecordedBodies {
     double before = Double.NaN;
     for (String line : written.substring(0, written.lastIndexOf('\n') + 1).lines().toList()) {
       Moment moment = JsonMapper.shared().readValue(line, Moment.class);
-      bodies.add(Double.isNaN(before) ? moment.seconds() - STEP : before, moment);
-      before = moment.seconds();
+      if (moment.floor().equals("lab")) {
+        bodies.add(Double.isNaN(before) ? moment.seconds() - STEP : before, moment);
+        before = moment.seconds();
+      } else {
+        bodies.judgeElsewhere(moment);
+      }
     }
     return bodies;
+  }
+
+  /** On the other floors robots touch each other and walls as little. */
+  private void judgeElsewhere(Moment moment) throws IOException {
+    ClearanceJudge other = elsewhere.get(moment.floor());
+    if (other == null) {
+      other =
+          new ClearanceJudge(
+              FloorReader.read(Path.of("maps", moment.floor() + ".yaml")).drawing().walls());
+      elsewhere.put(moment.floor(), other);
+    }
+    other.judge(Duration.ofNanos(Math.round(moment.seconds() * 1e9)), moment.bodies());
   }
 
   private void add(double secondsBefore, Moment moment) {
@@ -78,6 +97,11 @@ final class RecordedBodies {
     assertFalse(bodies.isTouch(), bodies::toString);
     Clearance wall = judge.toWall().orElseThrow();
     assertFalse(wall.isTouch(), wall::toString);
+    elsewhere.forEach(
+        (floor, other) -> {
+          assertFalse(other.toWall().orElseThrow().isTouch(), floor);
+          assertFalse(other.betweenBodies().filter(Clearance::isTouch).isPresent(), floor);
+        });
   }
 
   /** The pairs of robots that passed a cell in different directions, such as {@code r1 x r4}. */

@@ -130,7 +130,7 @@ class FleetHealthTest {
       var _ = submit(running);
     }
 
-    Sentence failure = Phrase.PART_FAILS.with(Phrase.MANAGER_PART.with());
+    Sentence failure = Phrase.PART_FAILS.with(Phrase.DISPATCH_PART.with(Hall.floor().name()));
     await(() -> running.failures().equals(List.of(failure)));
     await(() -> running.snapshots().latest().alerts().contains(failure));
     clock = () -> NOW;
@@ -211,7 +211,7 @@ class FleetHealthTest {
   private AgentFleet open(FleetStore read) {
     fleet =
         new AgentFleet(
-            List.of(Hall.floor()),
+            FloorsInMemory.of(Hall.floor()),
             read,
             new JdbiScheduleStore(database.jdbi()),
             NO_LINKS,

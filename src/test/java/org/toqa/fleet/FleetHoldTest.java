@@ -45,6 +45,7 @@ class FleetHoldTest extends HallFleetTest {
   void aPauseOvertakesWhatWasAskedBefore() throws Exception {
     List<String> answered = Collections.synchronizedList(new ArrayList<>());
     List<CompletableFuture<?>> asked = new ArrayList<>();
+    long task = submit("West", "East");
     stage.holdUp(
         Duration.ZERO,
         () -> {
@@ -52,7 +53,7 @@ class FleetHoldTest extends HallFleetTest {
             asked.add(
                 stage
                     .fleet
-                    .commandTask(10_000 + i, new MissionEvent.Hold("Max"))
+                    .commandTask(task, new MissionEvent.Hold("Max"))
                     .whenComplete((answer, failure) -> answered.add("task"))
                     .toCompletableFuture());
           }

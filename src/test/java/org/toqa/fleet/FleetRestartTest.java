@@ -9,12 +9,14 @@ import java.time.Duration;
 import java.time.Instant;
 import java.util.List;
 import java.util.Map;
+import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.Test;
 import org.toqa.geometry.Vec2;
 import org.toqa.grid.Cell;
 import org.toqa.grid.CellRuns;
 import org.toqa.mission.MissionEvent;
 import org.toqa.mission.TaskState;
+import org.toqa.wording.Sentence;
 
 /** What a server that starts knows of robots that it does not hear. */
 class FleetRestartTest extends HallFleetTest {
@@ -183,48 +185,33 @@ class FleetRestartTest extends HallFleetTest {
 
     stage.restart();
 
-    until(
-        view ->
-            view.alerts().stream()
-                .anyMatch(
-                    alert ->
-                        alert
-                            .english()
-                            .equals(
-                                "No map is named old hall any more; its robots (0) and open tasks"
-                                    + " (1) are left behind: start the server with a map of that"
-                                    + " name")));
-    until(view -> waitReason(view, task).startsWith("No map is named old hall any more"));
+    until(view -> view.alerts().stream().anyMatch(alert -> isOfOldHall(alert.english())));
+    Answer<TaskView> refused =
+        stage
+            .fleet
+            .commandTask(task, new MissionEvent.Cancel("Max", null))
+            .toCompletableFuture()
+            .get(10, TimeUnit.SECONDS);
+    assertTrue(
+        refused instanceof Answer.Conflict<TaskView>(Sentence why, var _)
+            && isOfOldHall(why.english()),
+        refused::toString);
+
+    stage
+        .fleet
+        .floorEditing()
+        .addFloor("old hall", stage.fleet.floors().getFirst().drawing(), "Max")
+        .toCompletableFuture()
+        .get(10, TimeUnit.SECONDS);
+    until(view -> view.alerts().isEmpty());
     accepted(stage.fleet.commandTask(task, new MissionEvent.Cancel("Max", null)));
     until(view -> task(view, task).state() == TaskState.CANCELLED);
   }
 
-  @Test
-  void deadlinesAreWatchedThoughATaskWaitsOnAFloorWithoutAMap() throws Exception {
-    until(view -> robot(view, "r1").state() == RobotState.IDLE);
-    accepted(stage.fleet.holdRobot("r1", "Max"));
-    long left = submit(dueIn(Duration.ofMinutes(2)));
-    long other = submit(dueIn(Duration.ofMinutes(2)));
-    stage
-        .database
-        .jdbi()
-        .useHandle(h -> h.execute("update tasks set floor = 'old hall' where id = ?", left));
-
-    stage.restart();
-
-    until(view -> view.tasks().size() == 2 && task(view, other).late() != null);
-  }
-
-  private TaskOrder dueIn(Duration time) {
-    return new TaskOrder(
-        "box",
-        1,
-        new TaskOrder.Where.Station("West"),
-        new TaskOrder.Where.Station("East"),
-        null,
-        0,
-        stage.now.plus(time),
-        null);
+  private static boolean isOfOldHall(String sentence) {
+    return sentence.equals(
+        "No floor is named old hall any more; its robots (0) and open tasks (1) are left behind:"
+            + " add a floor of that name on the page Floors");
   }
 
   private void assertApart(String one, String other) {

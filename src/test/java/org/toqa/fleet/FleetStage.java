@@ -147,7 +147,7 @@ public final class FleetStage implements AutoCloseable {
         };
     AgentFleet opened =
         new AgentFleet(
-            List.of(floor),
+            FloorsInMemory.of(floor),
             watched(tamper.apply(store)),
             new JdbiScheduleStore(database.jdbi()),
             links,

@@ -142,7 +142,7 @@ class FloodingRobotTest {
     r2 = new Peer("r2", 8.5);
     fleet =
         new AgentFleet(
-            List.of(FLOOR),
+            FloorsInMemory.of(FLOOR),
             store,
             new JdbiScheduleStore(database.jdbi()),
             new TcpRobotLinkFactory(new LinkTls(IdentityFile.open(keys)), false),

@@ -143,7 +143,7 @@ final class LiveFloor {
             clock);
     fleet =
         new AgentFleet(
-            List.of(floor),
+            FloorsInMemory.of(floor),
             store,
             new JdbiScheduleStore(database.jdbi()),
             links,
@@ -155,7 +155,7 @@ final class LiveFloor {
     parts.add(fleet);
     truth = new ClearanceJudge(floor.grid());
     TrueBodies trueBodies = new TrueBodies(robots, fleet.snapshots()::latest);
-    clock.add(nanos -> judge(nanos, trueBodies.all()), VirtualClock.STEP);
+    clock.add(nanos -> judge(nanos, trueBodies.on(floor.name())), VirtualClock.STEP);
     clock.add(nanos -> fleet.tick(clock.instant()), Duration.ofMillis(100));
   }
 

@@ -95,7 +95,7 @@ class PairedFleetTest {
   private AgentFleet fleet() throws IOException {
     Path data = Files.createDirectories(folder.resolve("server"));
     return new AgentFleet(
-        List.of(FloorReader.read(Path.of("maps/lab.yaml"))),
+        FloorsInMemory.of(FloorReader.read(Path.of("maps/lab.yaml"))),
         new JdbiFleetStore(database.jdbi()),
         new JdbiScheduleStore(database.jdbi()),
         new TcpRobotLinkFactory(new LinkTls(IdentityFile.open(data)), false),

@@ -92,7 +92,7 @@ class RobotLinesFuzzTest {
             "r1", FLOOR.name(), "127.0.0.1", robot.getLocalPort(), 5, "P1", false, null));
     fleet =
         new AgentFleet(
-            List.of(FLOOR),
+            FloorsInMemory.of(FLOOR),
             store,
             new JdbiScheduleStore(database.jdbi()),
             new TcpRobotLinkFactory(new LinkTls(IdentityFile.open(keys)), false),

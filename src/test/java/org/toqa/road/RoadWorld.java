@@ -151,7 +151,7 @@ final class RoadWorld {
         usual.limits(),
         usual.sessionLimit(),
         usual.data(),
-        usual.map(),
+        usual.maps(),
         usual.database(),
         usual.allocationPolicy(),
         usual.simulatedRobots(),
@@ -185,7 +185,7 @@ final class RoadWorld {
   }
 
   private void look(long nanos) {
-    judge(Duration.ofNanos(nanos), robots.bodies());
+    judge(Duration.ofNanos(nanos), robots.bodies("lab"));
     if (nanos % TRACK_PERIOD.toNanos() == 0) {
       robots.truePose(ROBOT).ifPresent(track::add);
     }

@@ -223,6 +223,11 @@ public final class TestFleet extends TasksInMemory {
     return this;
   }
 
+  @Override
+  public Optional<SnapshotFeed> snapshots(String name) {
+    return name.equals(floor.name()) ? Optional.of(this) : Optional.empty();
+  }
+
   private static <T> CompletionStage<Answer<T>> refused(@Nullable String field, String sentence) {
     return CompletableFuture.completedFuture(
         new Answer.Rejected<>(field, Sentence.verbatim(sentence)));

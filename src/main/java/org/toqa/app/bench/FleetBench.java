@@ -108,7 +108,8 @@ final class FleetBench implements Callable<Integer> {
     FleetMeter meter = new FleetMeter(toqa.fleetClock(), truth);
     GoalRecorder goals = new GoalRecorder(new RoadGraph(toqa.fleet().floors().getFirst().grid()));
     Consumer<FleetSnapshot> watcher = meter::observe;
-    try (BodyObservation _ = toqa.observeBodies(truth::judge)) {
+    String floor = toqa.fleet().floors().getFirst().name();
+    try (BodyObservation _ = toqa.observeBodies(floor, truth::judge)) {
       load.run(time.seconds(), stop, tasks == null ? watcher : watcher.andThen(goals::observe));
     }
     Report report = meter.report();

@@ -14,7 +14,7 @@ import org.toqa.fleet.ChargingRules;
 import org.toqa.fleet.FleetRules;
 import org.toqa.fleet.RobotRecord;
 import org.toqa.fleet.floor.FloorEvent;
-import org.toqa.fleet.manager.FloorSystem;
+import org.toqa.fleet.dispatch.FloorSystem;
 import org.toqa.geometry.Pose;
 import org.toqa.geometry.Vec2;
 import org.toqa.grid.FloorMap;

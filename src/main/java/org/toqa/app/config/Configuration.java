@@ -23,9 +23,9 @@ import org.toqa.grid.Margins;
  * @param limits how much anybody may have at once
  * @param sessionLimit how long after its begin a login ends for good
  * @param data the folder for what the server keeps
- * @param map the floor's map
+ * @param maps of the floors that a server without floors begins with, the first one the default
  * @param allocationPolicy who decides which robots carry what
- * @param simulatedRobots how many simulated robots
+ * @param simulatedRobots how many simulated robots, floor by floor
  * @param simulatedBatteries charge of new simulated robots as a share of a full battery, 0 to 1,
  *     robot by robot; the last one counts for all others
  * @param firmware the folder of the built firmware that drives the first simulated robot, in a
@@ -52,10 +52,10 @@ public record Configuration(
     Limits limits,
     Duration sessionLimit,
     Path data,
-    Path map,
+    List<Path> maps,
     DatabaseSettings database,
     Policy allocationPolicy,
-    int simulatedRobots,
+    List<Integer> simulatedRobots,
     List<Double> simulatedBatteries,
     @Nullable Path firmware,
     double widestRobot,
@@ -71,6 +71,11 @@ public record Configuration(
     @Nullable GatewaySettings gateways,
     Level logLevel,
     LogFormat logFormat) {
+
+  /** Whether any robots are simulated. */
+  public boolean isSimulated() {
+    return simulatedRobots.stream().anyMatch(count -> count > 0);
+  }
 
   /**
    * How much of the server one user, one address or all together may have at once. Addresses of
@@ -149,7 +154,7 @@ public record Configuration(
   }
 
   /**
-   * @param shippedMap the floor's map where none is configured
+   * @param shippedMap the first floor's map where none is configured
    * @param layers the first one that gives a setting decides
    * @throws ConfigurationException a value cannot be used; names it and what it must be
    */

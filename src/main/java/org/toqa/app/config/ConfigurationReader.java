@@ -4,6 +4,7 @@ import ch.qos.logback.classic.Level;
 import java.net.InetAddress;
 import java.net.URI;
 import java.net.UnknownHostException;
+import java.io.File;
 import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
@@ -48,10 +49,11 @@ record ConfigurationReader(List<SettingSource> layers) {
    */
   Configuration read(Path shippedMap) throws ConfigurationException {
     Path data = folder(Setting.DATA);
-    int simulate = wholeNumber(Setting.SIMULATE);
+    List<Integer> simulate = wholeNumbers(Setting.SIMULATE);
+    boolean isSimulated = simulate.stream().anyMatch(count -> count > 0);
     Duration lostAfter = Duration.ofSeconds(wholeNumber(Setting.LOST_AFTER));
     double speed = number(Setting.SPEED);
-    if (speed != 1 && simulate == 0) {
+    if (speed != 1 && !isSimulated) {
       throw invalid(
           Setting.SPEED, "only simulated robots can be made faster: set simulate as well.");
     }
@@ -65,12 +67,12 @@ record ConfigurationReader(List<SettingSource> layers) {
         limits(),
         Duration.ofHours(wholeNumber(Setting.SESSION_HOURS)),
         data,
-        map(shippedMap),
+        maps(shippedMap),
         database(data),
         allocationPolicy(),
         simulate,
         batteries(),
-        firmware(simulate),
+        firmware(isSimulated),
         number(Setting.WIDEST_ROBOT),
         new Margins(number(Setting.MARGINS_ROBOT), number(Setting.MARGINS_FORMATION)),
         lostAfter,
@@ -99,19 +101,25 @@ record ConfigurationReader(List<SettingSource> layers) {
   }
 
   private List<Double> batteries() throws ConfigurationException {
-    List<Double> batteries = new ArrayList<>();
-    for (String word : text(Setting.SIMULATE_BATTERIES).split(",", -1)) {
-      if (!word.strip().matches("[1-9][0-9]{0,2}")) {
-        throw outOfRange(Setting.SIMULATE_BATTERIES);
+    return wholeNumbers(Setting.SIMULATE_BATTERIES).stream()
+        .map(percent -> percent / 100.0)
+        .toList();
+  }
+
+  /** With commas between. */
+  private List<Integer> wholeNumbers(Setting setting) throws ConfigurationException {
+    List<Integer> numbers = new ArrayList<>();
+    for (String word : text(setting).split(",", -1)) {
+      if (!word.strip().matches("0|[1-9][0-9]{0,2}")) {
+        throw outOfRange(setting);
       }
-      int percent = Integer.parseInt(word.strip());
-      if (!(Setting.SIMULATE_BATTERIES.range() instanceof WholeNumbers range
-          && range.contains(percent))) {
-        throw outOfRange(Setting.SIMULATE_BATTERIES);
+      int number = Integer.parseInt(word.strip());
+      if (!(setting.range() instanceof WholeNumbers range && range.contains(number))) {
+        throw outOfRange(setting);
       }
-      batteries.add(percent / 100.0);
+      numbers.add(number);
     }
-    return List.copyOf(batteries);
+    return List.copyOf(numbers);
   }
 
   private ChargingRules charging() throws ConfigurationException {
@@ -243,11 +251,11 @@ record ConfigurationReader(List<SettingSource> layers) {
     return folder;
   }
 
-  private @Nullable Path firmware(int simulate) throws ConfigurationException {
+  private @Nullable Path firmware(boolean isSimulated) throws ConfigurationException {
     if (text(Setting.FIRMWARE).isEmpty()) {
       return null;
     }
-    if (simulate == 0) {
+    if (!isSimulated) {
       throw invalid(Setting.FIRMWARE, "only simulated robots need it: set simulate as well.");
     }
     Path folder = path(Setting.FIRMWARE);
@@ -257,27 +265,38 @@ record ConfigurationReader(List<SettingSource> layers) {
     return folder;
   }
 
-  private Path map(Path shipped) throws ConfigurationException {
-    if (text(Setting.MAP).isEmpty()) {
-      return shipped;
+  /** A file, or several with colons between, as in a search path. */
+  private List<Path> maps(Path shipped) throws ConfigurationException {
+    String text = text(Setting.MAP);
+    if (text.isEmpty()) {
+      return List.of(shipped);
     }
-    Path file = path(Setting.MAP);
-    if (!file.toString().matches(".*\\.(yaml|map)")) {
-      throw outOfRange(Setting.MAP);
+    List<Path> files = new ArrayList<>();
+    String[] words =
+        Files.exists(path(Setting.MAP)) ? new String[] {text} : text.split(File.pathSeparator, -1);
+    for (String word : words) {
+      Path file = path(Setting.MAP, word);
+      if (!file.toString().matches(".*\\.(yaml|map)")) {
+        throw outOfRange(Setting.MAP);
+      }
+      if (!Files.isReadable(file)) {
+        throw invalid(Setting.MAP, "there is no such file that can be read.");
+      }
+      files.add(file);
     }
-    if (!Files.isReadable(file)) {
-      throw invalid(Setting.MAP, "there is no such file that can be read.");
-    }
-    return file;
+    return List.copyOf(files);
   }
 
   private Path path(Setting setting) throws ConfigurationException {
-    SettingSource.Value value = value(setting);
-    if (value.text().isBlank()) {
+    return path(setting, value(setting).text());
+  }
+
+  private Path path(Setting setting, String text) throws ConfigurationException {
+    if (text.isBlank()) {
       throw outOfRange(setting);
     }
     try {
-      return value.folder().resolve(value.text()).toAbsolutePath().normalize();
+      return value(setting).folder().resolve(text).toAbsolutePath().normalize();
     } catch (InvalidPathException e) {
       throw outOfRange(setting);
     }

@@ -36,7 +36,7 @@ public enum Setting {
   DATABASE_PASSWORD("database.password", "", "that user's password"),
   ALLOCATOR("allocator", "optimal", new Choice("zones", "contract-net", "optimal")),
   FIRMWARE("firmware", "", "the folder of the built firmware, with toqa.hex and toqa-sim"),
-  SIMULATE("simulate", "0", new WholeNumber(0, 500)),
+  SIMULATE("simulate", "0", new WholeNumbers(0, 500, "")),
   SIMULATE_BATTERIES("simulateBatteries", "100", new WholeNumbers(5, 100, "percent")),
   WIDEST_ROBOT("widestRobot", "1", new Decimal(0.1, 10, "metres")),
   MARGINS_ROBOT(

@@ -12,8 +12,8 @@ import org.toqa.sim.Body;
 import tools.jackson.databind.json.JsonMapper;
 
 /**
- * Writes where bodies really are, a line of JSON for each moment: {@code seconds} of the simulated
- * world, and {@code bodies} as {@link Body} has them.
+ * Writes where bodies really are, a line of JSON for each moment and floor: {@code seconds} of the
+ * simulated world, {@code floor}, and {@code bodies} as {@link Body} has them.
  */
 final class BodyRecorder implements AutoCloseable {
   private final Writer file;
@@ -21,7 +21,7 @@ final class BodyRecorder implements AutoCloseable {
   /**
    * @param seconds of the world, since its start
    */
-  private record Line(double seconds, List<Body> bodies) {}
+  private record Line(double seconds, String floor, List<Body> bodies) {}
 
   private BodyRecorder(Writer file) {
     this.file = file;
@@ -40,10 +40,10 @@ final class BodyRecorder implements AutoCloseable {
    * @param at the world's time, since its start
    * @throws UncheckedIOException it cannot be written
    */
-  void write(Duration at, List<Body> bodies) {
+  void write(Duration at, String floor, List<Body> bodies) {
     try {
       file.write(
-          JsonMapper.shared().writeValueAsString(new Line(at.toNanos() / 1e9, bodies)) + '\n');
+          JsonMapper.shared().writeValueAsString(new Line(at.toNanos() / 1e9, floor, bodies)) + '\n');
       file.flush();
     } catch (IOException e) {
       throw new UncheckedIOException(e);

@@ -3,6 +3,7 @@ package org.toqa.app.demo;
 import java.net.URI;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.EnumMap;
 import java.util.List;
 import java.util.Map;
@@ -20,6 +21,7 @@ import org.toqa.app.server.FleetServer;
 import org.toqa.app.server.FleetServer.BodyObservation;
 import org.toqa.app.server.ServerOperation;
 import org.toqa.app.server.WebappFolder;
+import org.toqa.grid.FloorMap;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.ExitCode;
 import picocli.CommandLine.Mixin;
@@ -46,7 +48,9 @@ public final class DemoCommand implements Callable<Integer> {
       defaultValue = "3",
       paramLabel = "N",
       description =
-          "Number of robots, 1 to " + DemoTasks.MAX_ROBOTS + " (default: ${DEFAULT-VALUE}).")
+          "Number of robots on the first floor, 1 to "
+              + DemoTasks.MAX_ROBOTS
+              + " (default: ${DEFAULT-VALUE}).")
   private int robots;
 
   @Option(
@@ -93,8 +97,27 @@ public final class DemoCommand implements Callable<Integer> {
       return runDemo(toqa, address, stop);
     }
     try (BodyRecorder recorder = BodyRecorder.create(bodies);
-        BodyObservation _ = toqa.observeBodies(recorder::write)) {
+        FloorObservations observed = new FloorObservations()) {
+      for (FloorMap floor : toqa.fleet().floors()) {
+        observed.add(
+            toqa.observeBodies(
+                floor.name(), (at, there) -> recorder.write(at, floor.name(), there)));
+      }
       return runDemo(toqa, address, stop);
+    }
+  }
+
+  /** Those of all floors, which end together. */
+  private static final class FloorObservations implements AutoCloseable {
+    private final List<BodyObservation> observations = new ArrayList<>();
+
+    void add(BodyObservation observation) {
+      observations.add(observation);
+    }
+
+    @Override
+    public void close() {
+      observations.forEach(BodyObservation::close);
     }
   }
 
@@ -122,7 +145,8 @@ public final class DemoCommand implements Callable<Integer> {
 
   private SettingSource settings(Path data) {
     Map<Setting, @Nullable String> options = new EnumMap<>(Setting.class);
-    options.put(Setting.SIMULATE, String.valueOf(robots));
+    options.put(Setting.MAP, WebappFolder.shippedMaps());
+    options.put(Setting.SIMULATE, robots + "," + DemoTasks.ROBOTS_ELSEWHERE);
     options.put(Setting.SIMULATE_BATTERIES, BATTERIES);
     options.put(Setting.MANAGER, USER + ":" + PASSWORD);
     options.put(Setting.ALLOCATOR, "zones"); // by the load, as Tanta does

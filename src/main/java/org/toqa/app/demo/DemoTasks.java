@@ -12,6 +12,7 @@ import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
 import java.util.stream.Stream;
 import org.toqa.app.command.StopSignal;
+import org.jspecify.annotations.Nullable;
 import org.toqa.fleet.Answer;
 import org.toqa.fleet.Fleet;
 import org.toqa.fleet.FleetSnapshot;
@@ -47,6 +48,16 @@ final class DemoTasks {
   private static final TaskOrder FORMATION_ORDER =
       order("Gearbox to packing", 12, "Goods-in 2", "Packing 2");
 
+  /** One on each of the other floors. */
+  private static final List<TaskOrder> ELSEWHERE =
+      List.of(
+          order("Post to the archive", 1, "Post room", "Archive", "offices"),
+          order("Pallet to the lift", 4, "Rack 2", "Lift", "store"),
+          order("Frame to the paint shop", 3, "Welding", "Paint shop", "workshop"));
+
+  /** How many robots are on each of those floors. */
+  static final String ROBOTS_ELSEWHERE = "2,2,1";
+
   /** More tasks than robots: some have to wait for a robot. */
   private static final int EXTRA_TASKS = 2;
 
@@ -75,18 +86,26 @@ final class DemoTasks {
   }
 
   private static TaskOrder order(String name, double load, String start, String goal) {
+    return order(name, load, start, goal, null);
+  }
+
+  private static TaskOrder order(
+      String name, double load, String start, String goal, @Nullable String floor) {
     return new TaskOrder(
-        name, load, new Where.Station(start), new Where.Station(goal), null, 0, null, null);
+        name, load, new Where.Station(start), new Where.Station(goal), floor, 0, null, null);
   }
 
   /**
-   * The tasks for a number of robots: a few more than there are robots.
+   * The tasks for a number of robots: a few more than there are robots, and those of other floors.
    *
-   * @param robots 1 to {@link #MAX_ROBOTS}
+   * @param robots of the first floor, 1 to {@link #MAX_ROBOTS}
    */
   static List<TaskOrder> orders(int robots) {
     Stream<TaskOrder> together = robots < 3 ? Stream.empty() : Stream.of(FORMATION_ORDER);
-    return Stream.concat(together, ORDERS.stream()).limit(robots + EXTRA_TASKS).toList();
+    return Stream.concat(
+            Stream.concat(together, ORDERS.stream()).limit(robots + EXTRA_TASKS),
+            ELSEWHERE.stream())
+        .toList();
   }
 
   /**

@@ -30,7 +30,6 @@ import org.toqa.fleet.manager.AgentFleet;
 import org.toqa.fleet.schedule.Scheduler;
 import org.toqa.geometry.Pose;
 import org.toqa.grid.FloorMap;
-import org.toqa.grid.FloorReader;
 import org.toqa.link.trust.PrivateFolder;
 import org.toqa.sim.Body;
 import org.toqa.sim.Participant;
@@ -42,6 +41,7 @@ import org.toqa.store.HistoryPruner;
 import org.toqa.store.JdbiAccountStore;
 import org.toqa.store.JdbiEventArchive;
 import org.toqa.store.JdbiFleetStore;
+import org.toqa.store.JdbiFloorStore;
 import org.toqa.store.JdbiOrderArchive;
 import org.toqa.store.JdbiPasswordResetStore;
 import org.toqa.store.JdbiScheduleStore;
@@ -64,7 +64,7 @@ import org.toqa.wording.Phrase;
  * Everything behind the web pages: store, fleet and simulated robots. It has one owner, the command
  * that started it or, on a stock Tomcat, {@link ToqaContextListener}.
  *
- * <p>Started in order: map, database, first manager, simulated robots, fleet, time, records. Closed
+ * <p>Started in order: database, first manager, floors, simulated robots, fleet, time, records. Closed
  * in the reverse order.
  */
 public final class FleetServer implements AutoCloseable {
@@ -130,7 +130,6 @@ public final class FleetServer implements AutoCloseable {
   private static FleetServer start(
       Configuration configuration, PasswordHasher passwords, Deque<AutoCloseable> parts)
       throws IOException {
-    FloorMap floor = FloorReader.read(configuration.map()).withMargins(configuration.margins());
     PrivateFolder.create(configuration.data());
     Database database = openDatabase(configuration.database());
     parts.push(database);
@@ -142,10 +141,12 @@ public final class FleetServer implements AutoCloseable {
     AccountStore accounts = new JdbiAccountStore(database.sessions(), wallClock);
     addFirstManager(configuration, accounts, passwords);
 
+    JdbiFloorStore floorStore = new JdbiFloorStore(database.jdbi(), configuration.margins());
+    List<FloorMap> floors = FirstFloors.of(configuration, floorStore, wallClock.instant());
     VirtualClock clock = new VirtualClock(wallClock.instant(), configuration.simulationSpeed());
     SimulatedFleet simulated =
-        configuration.simulatedRobots() > 0
-            ? SimulatedRobots.start(configuration, floor, store, clock)
+        configuration.isSimulated()
+            ? SimulatedRobots.start(configuration, floors, store, clock)
             : null;
     if (simulated != null) {
       parts.push(simulated);
@@ -153,7 +154,7 @@ public final class FleetServer implements AutoCloseable {
     JdbiScheduleStore schedules = new JdbiScheduleStore(database.jdbi());
     AgentFleet fleet =
         new AgentFleet(
-            List.of(floor),
+            floorStore,
             store,
             schedules,
             ServerLinks.open(configuration, simulated, clock, parts),
@@ -168,7 +169,7 @@ public final class FleetServer implements AutoCloseable {
     parts.push(fleet);
     clock.add(new FleetInWorld(fleet, clock, simulated != null), FLEET_TICK);
     if (simulated != null) {
-      SimulatedDocks docks = new SimulatedDocks(simulated, fleet, floor);
+      SimulatedDocks docks = new SimulatedDocks(simulated, fleet);
       clock.add(nanos -> docks.locateStandingRobots(), SimulatedDocks.PERIOD);
     }
     clock.start();
@@ -346,18 +347,19 @@ public final class FleetServer implements AutoCloseable {
   }
 
   /**
-   * From now on the observer is told at every step of the simulated world what is really where.
+   * From now on the observer is told at every step of the simulated world what is really where on a
+   * floor.
    *
    * @param observer called by the world's thread with its time, since its start
    * @return what ends it
    * @throws IllegalStateException no robots are simulated
    */
-  public BodyObservation observeBodies(BiConsumer<Duration, List<Body>> observer) {
+  public BodyObservation observeBodies(String floor, BiConsumer<Duration, List<Body>> observer) {
     TrueBodies observed = bodies;
     if (observed == null) {
       throw new IllegalStateException(NONE_SIMULATED);
     }
-    Participant participant = nanos -> observer.accept(Duration.ofNanos(nanos), observed.all());
+    Participant participant = nanos -> observer.accept(Duration.ofNanos(nanos), observed.on(floor));
     fleetClock.add(participant, VirtualClock.STEP);
     return () -> fleetClock.remove(participant);
   }

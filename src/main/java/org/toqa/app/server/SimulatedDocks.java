@@ -33,12 +33,10 @@ final class SimulatedDocks {
 
   private final SimulatedFleet robots;
   private final AgentFleet fleet;
-  private final List<Place> docks;
 
-  SimulatedDocks(SimulatedFleet robots, AgentFleet fleet, FloorMap floor) {
+  SimulatedDocks(SimulatedFleet robots, AgentFleet fleet) {
     this.robots = robots;
     this.fleet = fleet;
-    this.docks = Stream.concat(floor.parking().stream(), floor.charging().stream()).toList();
   }
 
   /** Tells the fleet the true pose of each robot at a dock that has drifted. */
@@ -53,7 +51,7 @@ final class SimulatedDocks {
   private void locateIfDrifted(RobotView robot, Pose truth) {
     Pose believed = robot.telemetry().pose();
     Optional<Place> dock =
-        docks.stream()
+        docks(robot.floor())
             .filter(d -> d.position().distanceTo(truth.position()) < SENSOR_RANGE)
             .findFirst();
     if (believed == null || dock.isEmpty() || !hasDrifted(believed, truth)) {
@@ -62,6 +60,12 @@ final class SimulatedDocks {
     fleet
         .locateRobot(robot.name(), truth, "The dock " + dock.get().name())
         .whenComplete((answer, failure) -> log.debug("{}: {}", robot.name(), answer, failure));
+  }
+
+  private Stream<Place> docks(String floor) {
+    return fleet.floors().stream()
+        .filter(map -> map.name().equals(floor))
+        .flatMap(map -> Stream.concat(map.parking().stream(), map.charging().stream()));
   }
 
   private static boolean hasDrifted(Pose believed, Pose truth) {

@@ -1,9 +1,16 @@
 package org.toqa.app.server;
 
+import static java.util.Objects.requireNonNull;
+
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import org.toqa.app.command.TemporaryFolder;
 import org.toqa.app.config.Configuration;
@@ -26,42 +33,49 @@ final class SimulatedRobots {
   private SimulatedRobots() {}
 
   /**
-   * Makes the robots r1 to rN, or finds them again with what people have changed, and tells the
-   * store where they listen.
+   * Makes the robots r1 to rN, floor by floor, or finds them again with what people have changed,
+   * and tells the store where they listen.
    *
-   * @throws IOException when the map has no room for them, or they cannot be simulated or stored;
+   * @throws IOException when a floor has no room for them, or they cannot be simulated or stored;
    *     the message says what to do
    */
   static SimulatedFleet start(
-      Configuration configuration, FloorMap floor, FleetStore store, VirtualClock clock)
+      Configuration configuration, List<FloorMap> floors, FleetStore store, VirtualClock clock)
       throws IOException {
-    List<Place> places = startPlaces(floor, configuration.simulatedRobots());
-    List<SimulatedRobot> robots = new ArrayList<>();
-    for (int i = 0; i < configuration.simulatedRobots(); i++) {
-      Pose start = new Pose(places.get(i).position().x(), places.get(i).position().y(), 0);
-      Path firmware = i == 0 ? configuration.firmware() : null;
-      robots.add(
-          new SimulatedRobot(
-              "r" + (i + 1), start, MAX_LOAD, initialBattery(configuration, i), firmware));
-    }
     Path folders = configuration.data().resolve("robots");
-    List<RobotRecord> known = knownRobots(store, robots, floor, folders);
-    SimulatedFleet simulated =
-        SimulatedFleet.open(folders, robots, SimulatedFloor.of(floor), clock);
+    List<RobotRecord> fresh = new ArrayList<>();
+    Map<String, SimulatedFloor> worlds = new LinkedHashMap<>();
+    floors.forEach(floor -> worlds.put(floor.name(), SimulatedFloor.of(floor)));
+    Map<SimulatedFloor, List<SimulatedRobot>> robots = new LinkedHashMap<>();
+    worlds.values().forEach(world -> robots.put(world, new ArrayList<>()));
+    Map<String, RobotRecord> known = knownRobots(store, configuration, worlds.keySet(), folders);
+    int made = 0;
+    for (int i = 0; i < configuration.simulatedRobots().size(); i++) {
+      FloorMap floor = floors.get(Math.min(i, floors.size() - 1));
+      List<Place> places = startPlaces(floor, configuration.simulatedRobots().get(i));
+      for (int j = 0; j < places.size(); j++) {
+        String name = "r" + (made + 1);
+        Pose start = new Pose(places.get(j).position().x(), places.get(j).position().y(), 0);
+        Path firmware = made == 0 ? configuration.firmware() : null;
+        SimulatedRobot robot =
+            new SimulatedRobot(
+                name, start, MAX_LOAD, initialBattery(configuration, made), firmware);
+        RobotRecord before = known.get(name);
+        String where = before == null ? floor.name() : before.floor();
+        requireNonNull(robots.get(worlds.get(where))).add(robot);
+        String parking = j < floor.parking().size() ? places.get(j).name() : null;
+        fresh.add(
+            before == null
+                ? RobotRecord.direct(
+                    name, floor.name(), "127.0.0.1", 1, MAX_LOAD, parking, true, null)
+                : before);
+        made++;
+      }
+    }
+    SimulatedFleet simulated = SimulatedFleet.open(folders, robots, clock);
     try {
-      for (int i = 0; i < robots.size(); i++) {
-        String name = robots.get(i).name();
-        int port = simulated.port(name);
-        String parking = i < floor.parking().size() ? places.get(i).name() : null;
-        RobotRecord fresh =
-            RobotRecord.direct(
-                name, floor.name(), "127.0.0.1", port, MAX_LOAD, parking, true, null);
-        store.saveRobot(
-            known.stream()
-                .filter(r -> r.name().equals(name))
-                .findFirst()
-                .map(r -> r.withAddress("127.0.0.1", port))
-                .orElse(fresh));
+      for (RobotRecord robot : fresh) {
+        store.saveRobot(robot.withAddress("127.0.0.1", simulated.port(robot.name())));
       }
       return simulated;
     } catch (StoreException e) {
@@ -70,17 +84,17 @@ final class SimulatedRobots {
     }
   }
 
-  /** Those of them that are on the floor; who is on a floor of another map begins anew here. */
-  private static List<RobotRecord> knownRobots(
-      FleetStore store, List<SimulatedRobot> robots, FloorMap floor, Path folders)
+  /** Those that are on floors that there are; who is on another one begins anew. */
+  private static Map<String, RobotRecord> knownRobots(
+      FleetStore store, Configuration configuration, Set<String> floors, Path folders)
       throws IOException {
+    int count = configuration.simulatedRobots().stream().mapToInt(Integer::intValue).sum();
     try {
-      List<RobotRecord> known = new ArrayList<>();
-      List<String> names = robots.stream().map(SimulatedRobot::name).toList();
+      Map<String, RobotRecord> known = new HashMap<>();
       for (RobotRecord robot : store.robots()) {
-        if (robot.simulated() && names.contains(robot.name())) {
-          if (robot.floor().equals(floor.name())) {
-            known.add(robot);
+        if (robot.simulated() && isOneOf(robot.name(), count)) {
+          if (floors.contains(robot.floor())) {
+            known.put(robot.name(), robot);
           } else {
             new TemporaryFolder(folders.resolve(robot.name())).close();
           }
@@ -90,6 +104,10 @@ final class SimulatedRobots {
     } catch (StoreException e) {
       throw cannotBeStored(e);
     }
+  }
+
+  private static boolean isOneOf(String name, int count) {
+    return IntStream.rangeClosed(1, count).anyMatch(i -> name.equals("r" + i));
   }
 
   private static IOException cannotBeStored(StoreException e) {
@@ -107,7 +125,7 @@ final class SimulatedRobots {
         Stream.concat(floor.parking().stream(), FreeCells.of(floor)).limit(count).toList();
     if (places.size() < count) {
       throw new IOException(
-          "The map "
+          "The floor "
               + floor.name()
               + " has no room for so many robots; simulate "
               + places.size()

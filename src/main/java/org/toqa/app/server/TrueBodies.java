@@ -31,10 +31,11 @@ public final class TrueBodies {
     this.fleet = fleet;
   }
 
-  /** All of them, now. */
-  public List<Body> all() {
-    List<Body> bodies = new ArrayList<>(robots.bodies());
+  /** All of them on that floor, now. */
+  public List<Body> on(String floor) {
+    List<Body> bodies = new ArrayList<>(robots.bodies(floor));
     fleet.get().tasks().stream()
+        .filter(task -> task.task().floor().equals(floor))
         .filter(task -> task.state() == TaskState.CARRYING)
         .filter(task -> task.robots().size() > 1 || task.task().size() != null)
         .flatMap(task -> load(task).stream())

@@ -1,6 +1,9 @@
 package org.toqa.app.server;
 
+import java.io.File;
 import java.nio.file.Path;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
 
 /** The unpacked web application that this process runs from. */
 public final class WebappFolder {
@@ -15,6 +18,17 @@ public final class WebappFolder {
       throw new IllegalStateException("This starts by ./toqa, or by java -jar toqa.war.");
     }
     return Path.of(folder);
+  }
+
+  /**
+   * All shipped maps, as the configuration names them: a building of three floors and a workshop.
+   *
+   * @throws IllegalStateException as {@link #path} does
+   */
+  public static String shippedMaps() {
+    return Stream.of("lab", "offices", "store", "workshop")
+        .map(name -> path().resolve("WEB-INF/maps/" + name + ".yaml").toString())
+        .collect(Collectors.joining(File.pathSeparator));
   }
 
   /**

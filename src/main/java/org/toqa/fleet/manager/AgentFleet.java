@@ -1,21 +1,22 @@
 package org.toqa.fleet.manager;
 
-import static java.util.Objects.requireNonNull;
-
 import java.time.Instant;
 import java.time.InstantSource;
+import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 import java.util.UUID;
 import java.util.concurrent.CompletableFuture;
-import java.util.concurrent.CompletionException;
 import java.util.concurrent.CompletionStage;
+import java.util.concurrent.ExecutionException;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
-import java.util.concurrent.atomic.AtomicReference;
+import java.util.function.Consumer;
+import java.util.function.Function;
 import java.util.function.Supplier;
 import org.apache.pekko.actor.typed.ActorSystem;
+import org.apache.pekko.actor.typed.javadsl.AskPattern;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -28,6 +29,7 @@ import org.toqa.fleet.FleetRuntime;
 import org.toqa.fleet.FleetSnapshot;
 import org.toqa.fleet.FleetStore;
 import org.toqa.fleet.FloorEditing;
+import org.toqa.fleet.FloorStore;
 import org.toqa.fleet.Hold;
 import org.toqa.fleet.PairingOrder;
 import org.toqa.fleet.PathAnswer;
@@ -39,11 +41,21 @@ import org.toqa.fleet.RobotView;
 import org.toqa.fleet.ScheduleStore;
 import org.toqa.fleet.Schedules;
 import org.toqa.fleet.SnapshotFeed;
+import org.toqa.fleet.StoreWriter;
 import org.toqa.fleet.TaskOrder;
 import org.toqa.fleet.TaskPreview;
 import org.toqa.fleet.TaskView;
+import org.toqa.fleet.dispatch.AgentSystemSetup;
+import org.toqa.fleet.dispatch.DispatchCalls;
+import org.toqa.fleet.dispatch.FloorFleet;
+import org.toqa.fleet.dispatch.LatestSnapshot;
+import org.toqa.fleet.dispatch.OpenTasks;
+import org.toqa.fleet.dispatch.OrderChecks;
+import org.toqa.fleet.dispatch.PendingSubmissions;
+import org.toqa.fleet.dispatch.SharedParts;
+import org.toqa.fleet.dispatch.StoreHealthCheck;
+import org.toqa.fleet.dispatch.TaskSubmitter;
 import org.toqa.fleet.robot.AgentHealth;
-import org.toqa.fleet.robot.RobotAgents;
 import org.toqa.fleet.schedule.StoredSchedules;
 import org.toqa.geometry.Pose;
 import org.toqa.grid.FloorMap;
@@ -56,42 +68,49 @@ import org.toqa.wording.Phrase;
 import org.toqa.wording.Sentence;
 
 /**
- * The fleet as a system of agents: one manager, one agent a floor, one a robot.
+ * The fleet as systems of agents: one for each floor, and one agent for what holds for all of them.
+ * It hands on what concerns a floor; floors share nothing but the store and the threads, so that
+ * one that fails disturbs no other.
  *
  * <p>It reads no clock for its decisions: whoever started it calls {@link #tick} about ten times a
  * second, with real or with simulated time.
  */
 public final class AgentFleet implements Fleet, AutoCloseable {
   private static final Logger log = LoggerFactory.getLogger(AgentFleet.class);
+  private static final int CLOSE_SECONDS = 10;
 
-  private final List<FloorMap> floors;
-  private final LatestSnapshot latestSnapshot;
-  private final RobotLinkFactory links;
+  private final FleetStore store;
+  private final SharedParts shared;
+  private final FloorDirectory floors = new FloorDirectory();
+  private final RobotFloors robots;
   private final Schedules schedules;
-  private final FleetRuntime runtime;
-  private final PendingSubmissions pendingSubmissions = new PendingSubmissions();
-  private final ActorSystem<ManagerMessage> system;
-  private final ManagerCalls manager;
-  private final AgentHealth health;
-  private final RobotAgents robotAgents;
+  private final SiteSnapshots snapshots;
+  private final StoreWriter batchWriter;
+  private final TaskBatches batches;
+  private final ActorSystem<ManagerMessage> manager;
   private final FleetMonitor monitor;
+  private final FloorEditor editor;
+  private final MissingFloors missingFloors;
   private final CompletableFuture<Void> failed = new CompletableFuture<>();
   private volatile boolean isClosing;
 
-  /** The time of a tick that the manager has not taken; a later one takes its place. */
-  private final AtomicReference<@Nullable Instant> dueTick = new AtomicReference<>();
+  /** As the agents apply it. */
+  private volatile @Nullable Hold pause;
+
+  /** Of the time that {@link #tick} brings. */
+  private volatile Instant now;
 
   /**
    * Reads the store and goes on with what is in it, when all agents have started.
    *
-   * @param floors at least one; the first is the default
+   * @param floorStore has one floor at least; the first is the default
    * @param scheduleStore what {@link #schedules} writes to
    * @param clock for the times in the history
    * @param now of the time that {@link #tick} brings
-   * @throws IllegalStateException an agent cannot start; the message says which one and why
+   * @throws IllegalStateException no floor can start; the message says why
    */
   public AgentFleet(
-      List<FloorMap> floors,
+      FloorStore floorStore,
       FleetStore store,
       ScheduleStore scheduleStore,
       RobotLinkFactory links,
@@ -99,11 +118,11 @@ public final class AgentFleet implements Fleet, AutoCloseable {
       FleetRules rules,
       InstantSource clock,
       Instant now) {
-    this(floors, store, scheduleStore, links, method, rules, clock, now, FleetRuntime.USUAL);
+    this(floorStore, store, scheduleStore, links, method, rules, clock, now, FleetRuntime.USUAL);
   }
 
   public AgentFleet(
-      List<FloorMap> floors,
+      FloorStore floorStore,
       FleetStore store,
       ScheduleStore scheduleStore,
       RobotLinkFactory links,
@@ -112,233 +131,383 @@ public final class AgentFleet implements Fleet, AutoCloseable {
       InstantSource clock,
       Instant now,
       FleetRuntime runtime) {
-    this.floors = List.copyOf(floors);
-    this.runtime = runtime;
-    this.latestSnapshot =
-        new LatestSnapshot(FleetSnapshot.initial(clock.instant(), store.pause().orElse(null)));
-    OrderChecks checks = OrderChecks.of(runtime, rules.checksPerUser());
-    this.system =
-        ActorSystem.create(
-            ManagerAgent.of(
-                floors,
-                store,
-                links,
-                method,
-                rules,
-                clock,
-                now,
-                runtime,
-                latestSnapshot,
-                pendingSubmissions,
-                checks),
-            "toqa",
-            AgentSystemSetup.of(runtime));
-    this.manager = new ManagerCalls(system, checks);
-    this.links = links;
+    this.store = store;
+    this.now = now;
+    this.pause = store.pause().orElse(null);
+    this.robots = new RobotFloors(store.robots());
+    this.shared =
+        new SharedParts(
+            store,
+            links,
+            method,
+            rules,
+            clock,
+            runtime,
+            OrderChecks.of(runtime, rules.checksPerUser()),
+            new PendingSubmissions(),
+            new OpenTasks(),
+            new StoreHealthCheck(
+                store, answers -> forEachRunning(floor -> floor.tellStoreHealth(answers))));
     this.schedules = new StoredSchedules(scheduleStore, this, clock);
-    this.health = AgentHealth.of(system);
-    this.robotAgents = RobotAgents.of(system);
-    awaitStart();
-    var _ = system.getWhenTerminated().whenComplete((done, failure) -> ended());
-    var _ = health.broken().thenRun(this::ended);
-    this.monitor =
-        new FleetMonitor(
-            this::agentFailures, () -> health.warnings(runtime.monotonicNanos()), latestSnapshot);
+    this.snapshots =
+        new SiteSnapshots(
+            clock.instant(),
+            pause,
+            () -> floors.all().stream().<SnapshotFeed>map(FloorEntry::snapshots).toList());
+    this.batchWriter =
+        new StoreWriter("batches", runtime, store::inOneTransaction, change -> {});
+    this.batches =
+        new TaskBatches(
+            floors,
+            new TaskSubmitter(store, batchWriter, shared.pendingSubmissions(), runtime::nanoTime));
+    this.manager =
+        ActorSystem.create(
+            ManagerAgent.of(store, clock, runtime, pause, this::applyPause),
+            "manager",
+            AgentSystemSetup.of(runtime));
+    this.editor =
+        new FloorEditor(
+            floorStore,
+            scheduleStore,
+            floors,
+            robots,
+            shared,
+            this::startFloor,
+            (entry, map) -> agents(map, entry.snapshots()));
+    try {
+      startAll(floorStore.floors());
+    } catch (RuntimeException e) {
+      close(floors.all());
+      throw e;
+    }
+    this.monitor = new FleetMonitor(floors::all, this::managerFailures, snapshots);
+    this.missingFloors = findMissingFloors();
   }
 
-  private void awaitStart() {
-    try {
-      CompletableFuture.anyOf(
-              health.started().toCompletableFuture(),
-              system.getWhenTerminated().toCompletableFuture())
-          .join();
-      health.started().toCompletableFuture().getNow(null);
-    } catch (CompletionException e) {
-      terminate();
-      throw e.getCause() instanceof IllegalStateException refusal
-          ? refusal
-          : new IllegalStateException("The fleet cannot start: " + e.getMessage(), e);
+  private void startAll(List<FloorMap> maps) {
+    @Nullable RuntimeException first = null;
+    for (FloorMap map : maps) {
+      try {
+        startFloor(map);
+      } catch (IllegalStateException e) {
+        log.error("{}", e.getMessage(), e);
+        first = first == null ? e : first;
+      }
     }
+    if (first != null && floors.all().stream().allMatch(f -> f.agents().isEmpty())) {
+      throw first;
+    }
+  }
+
+  /** A floor begins; of one that cannot start, the directory knows why. */
+  private void startFloor(FloorMap map) {
+    LatestSnapshot feed =
+        new LatestSnapshot(
+            FleetSnapshot.initial(shared.clock().instant(), pause), this::renewSnapshots);
+    FloorEntry entry = new FloorEntry(map, feed);
+    floors.add(entry);
+    snapshots.renew();
+    entry.start(() -> agents(map, feed));
+  }
+
+  private void renewSnapshots() {
+    snapshots.renew();
+  }
+
+  /** A floor's agents, in place of others or for the first time. */
+  private FloorFleet agents(FloorMap map, LatestSnapshot feed) {
+    FloorFleet agents = new FloorFleet(map, shared, feed, pause, now);
+    var _ = agents.whenFailed().thenRun(this::ended);
+    manager.tell(new ManagerMessage.FloorStarted(agents));
+    return agents;
   }
 
   private void ended() {
     if (!isClosing && failed.complete(null)) {
-      log.error("The agents have ended; the fleet cannot go on.");
+      log.error("The agents of a floor have ended; the fleet cannot go on.");
     }
   }
 
-  private List<Sentence> agentFailures() {
+  private void applyPause(@Nullable Hold next) {
+    pause = next;
+    forEachRunning(floor -> floor.applyPause(next));
+    snapshots.setPause(next);
+  }
+
+  private void forEachRunning(Consumer<FloorFleet> command) {
+    floors.all().forEach(floor -> floor.ifRunning(command));
+  }
+
+  /** A floor that has another name now leaves robots and tasks behind, which people must know. */
+  private MissingFloors findMissingFloors() {
+    MissingFloors missing = MissingFloors.of(store, name -> floors.find(name).isPresent());
+    missing.sentences().forEach((floor, said) -> addWarning(() -> missing.alert(floor)));
+    return missing;
+  }
+
+  private List<Sentence> managerFailures() {
     return failed.isDone()
         ? List.of(Phrase.FLEET_ENDED.with())
-        : health.failures(runtime.monotonicNanos());
+        : AgentHealth.of(manager).failures(shared.runtime().monotonicNanos());
   }
 
   /** Time goes on: timers fire, robots are pinged, waiting tasks are looked at. */
-  public void tick(Instant now) {
-    health.recordTick(runtime.monotonicNanos());
-    robotAgents.tick(now);
-    if (dueTick.getAndSet(now) == null) {
-      system.tell(new ManagerMessage.Tick(() -> requireNonNull(dueTick.getAndSet(null))));
-    }
+  public void tick(Instant time) {
+    now = time;
+    forEachRunning(floor -> floor.tick(time));
   }
 
   /** By that time all floors have done what was due, but for their last tick. */
   public Instant floorTime() {
-    return health.floorTime();
+    return floors.all().stream()
+        .flatMap(floor -> floor.agents().stream())
+        .map(FloorFleet::floorTime)
+        .min(Comparator.naturalOrder())
+        .orElse(Instant.MAX);
+  }
+
+  private <T> CompletionStage<Answer<T>> askFloor(
+      String floor, Function<FloorFleet, CompletionStage<Answer<T>>> question) {
+    return floors
+        .find(floor)
+        .map(entry -> entry.ask(question))
+        .orElseGet(() -> CompletableFuture.completedFuture(FloorDirectory.unknown(floor)));
+  }
+
+  /** Asks the floor that an order names. */
+  private <T> CompletionStage<Answer<T>> askResolved(
+      @Nullable String floor, Function<FloorFleet, CompletionStage<Answer<T>>> question) {
+    return floors
+        .resolve(floor)
+        .map(entry -> entry.ask(question))
+        .orElseGet(
+            () ->
+                CompletableFuture.completedFuture(
+                    new Answer.Rejected<>("floor", floors.noSuchFloor(floor))));
+  }
+
+  /** Asks the floor where the robot is. */
+  private <T> CompletionStage<Answer<T>> askFloorOf(
+      String robot, Function<FloorFleet, CompletionStage<Answer<T>>> question) {
+    return robots
+        .floorOf(robot)
+        .flatMap(floors::find)
+        .map(entry -> entry.ask(question))
+        .orElseGet(() -> unknownRobot(robot));
+  }
+
+  private static <T> CompletionStage<Answer<T>> unknownRobot(String robot) {
+    return CompletableFuture.completedFuture(
+        new Answer.Unknown<>(Phrase.NO_SUCH_ROBOT.with(robot)));
+  }
+
+  /** Asks the floor that has the task, or where its load lies. */
+  private CompletionStage<Answer<TaskView>> askFloorOfTask(
+      long task, Function<FloorFleet, CompletionStage<Answer<TaskView>>> question) {
+    return shared
+        .openTasks()
+        .floorOf(task)
+        .or(() -> floorWithLoadOf(task))
+        .flatMap(floors::find)
+        .map(entry -> entry.ask(question))
+        .orElseGet(
+            () ->
+                CompletableFuture.completedFuture(
+                    new Answer.Conflict<>(
+                        missingFloors
+                            .alertOfTask(task)
+                            .orElseGet(() -> Phrase.TASK_HAS_ENDED.with(task)),
+                        null)));
+  }
+
+  private Optional<String> floorWithLoadOf(long task) {
+    return snapshots.latest().floors().stream()
+        .filter(floor -> floor.leftLoads().stream().anyMatch(load -> load.task() == task))
+        .map(floor -> floor.name())
+        .findFirst();
   }
 
   @Override
   public CompletionStage<Answer<TaskView>> submit(TaskOrder order, String user, UUID key) {
-    long deadline = TaskSubmitter.deadline(runtime.nanoTime());
-    return manager.askChecked(
-        user,
-        (check, replyTo) ->
-            new ManagerMessage.SubmitTask(order, user, key, deadline, check, replyTo));
+    return askResolved(order.floor(), floor -> floor.submit(order, user, key));
   }
 
   @Override
   public CompletionStage<BatchAnswer> submitAll(
       List<TaskOrder> orders, List<@Nullable OrderPart> parts, String user, List<UUID> keys) {
-    long deadline = TaskSubmitter.deadline(runtime.nanoTime());
-    return manager.askChecked(
-        user,
-        (check, replyTo) ->
-            new ManagerMessage.SubmitTasks(orders, parts, user, keys, deadline, check, replyTo));
+    return batches.submit(
+        orders, parts, user, keys, TaskSubmitter.deadline(shared.runtime().nanoTime()));
   }
 
   @Override
   public boolean isSubmissionPending(UUID key) {
-    return pendingSubmissions.contains(key);
+    return shared.pendingSubmissions().contains(key);
   }
 
   @Override
   public CompletionStage<List<BatchAnswer.Rejection>> rejections(
       List<TaskOrder> orders, String user) {
-    return manager.askChecked(
-        user, (check, replyTo) -> new ManagerMessage.ValidateOrders(orders, user, check, replyTo));
+    return batches.rejections(orders, user);
   }
 
   @Override
   public CompletionStage<Answer<TaskPreview>> preview(TaskOrder order, String user) {
-    return manager.askChecked(
-        user, (check, replyTo) -> new ManagerMessage.PreviewTask(order, user, check, replyTo));
+    return askResolved(order.floor(), floor -> floor.preview(order, user));
   }
 
   @Override
   public CompletionStage<Answer<PathAnswer>> path(PathQuestion question, String user) {
-    return manager.askChecked(
-        user, (check, replyTo) -> new ManagerMessage.FindPath(question, check, replyTo));
+    return askResolved(question.floor(), floor -> floor.path(question, user));
   }
 
   @Override
   public CompletionStage<Answer<RobotView>> addRobot(RobotOrder order, String user) {
-    return manager.ask(replyTo -> new ManagerMessage.AddRobot(order, user, replyTo));
+    Optional<FloorEntry> floor = floors.resolve(order.floor());
+    if (floor.isEmpty()) {
+      return CompletableFuture.completedFuture(
+          new Answer.Rejected<>("floor", floors.noSuchFloor(order.floor())));
+    }
+    if (!robots.reserve(order.name(), floor.get().name())) {
+      return CompletableFuture.completedFuture(
+          new Answer.Rejected<>("name", Phrase.ROBOT_NAME_TAKEN.with(order.name())));
+    }
+    return floor
+        .get()
+        .ask(agents -> agents.addRobot(order, user))
+        .whenComplete(
+            (answer, failure) -> {
+              if (!(answer instanceof Answer.Accepted<RobotView>)) {
+                robots.remove(order.name());
+              }
+            });
   }
 
   @Override
   public List<GatewayState> gateways() {
-    return links.gateways();
+    return shared.links().gateways();
   }
 
   @Override
   public CompletionStage<Answer<RobotView>> pairRobot(
       String robot, PairingOrder order, String user) {
-    return manager.ask(replyTo -> new ManagerMessage.PairRobot(robot, order, user, replyTo));
+    return askFloorOf(robot, floor -> floor.pairRobot(robot, order, user));
   }
 
   @Override
   public CompletionStage<Answer<RobotView>> changeRobot(
       String robot, RobotChange change, @Nullable RobotChange seen, String user) {
-    return manager.ask(
-        replyTo -> new ManagerMessage.ChangeRobot(robot, change, seen, user, replyTo));
+    return askFloorOf(robot, floor -> floor.changeRobot(robot, change, seen, user));
   }
 
   @Override
   public CompletionStage<Answer<RobotView>> removeRobot(String robot, String user) {
-    return manager.ask(replyTo -> new ManagerMessage.RemoveRobot(robot, user, replyTo));
+    return askFloorOf(robot, floor -> floor.removeRobot(robot, user))
+        .whenComplete(
+            (answer, failure) -> {
+              if (answer instanceof Answer.Accepted<RobotView>) {
+                robots.remove(robot);
+              }
+            });
   }
 
   @Override
   public CompletionStage<Answer<RobotView>> locateRobot(String robot, Pose pose, String user) {
-    return manager.ask(replyTo -> new ManagerMessage.LocateRobot(robot, pose, user, replyTo));
+    return askFloorOf(robot, floor -> floor.locateRobot(robot, pose, user));
   }
 
   @Override
   public CompletionStage<Answer<RobotView>> takeOutOfService(String robot, String user) {
-    return manager.ask(replyTo -> new ManagerMessage.SetInService(robot, false, user, replyTo));
+    return askFloorOf(robot, floor -> floor.setInService(robot, false, user));
   }
 
   @Override
   public CompletionStage<Answer<RobotView>> putInService(String robot, String user) {
-    return manager.ask(replyTo -> new ManagerMessage.SetInService(robot, true, user, replyTo));
+    return askFloorOf(robot, floor -> floor.setInService(robot, true, user));
   }
 
   @Override
   public CompletionStage<Answer<RobotView>> holdRobot(String robot, String user) {
-    return manager.ask(replyTo -> new ManagerMessage.HoldRobot(robot, true, user, replyTo));
+    return robots
+        .floorOf(robot)
+        .flatMap(floors::find)
+        .map(entry -> entry.askAtOnce(agents -> agents.holdRobot(robot, true, user)))
+        .orElseGet(() -> unknownRobot(robot));
   }
 
   @Override
   public CompletionStage<Answer<RobotView>> resumeRobot(String robot, String user) {
-    return manager.ask(replyTo -> new ManagerMessage.HoldRobot(robot, false, user, replyTo));
+    return askFloorOf(robot, floor -> floor.holdRobot(robot, false, user));
   }
 
   @Override
   public CompletionStage<Answer<RobotView>> clearStops(
       String robot, Set<String> reasons, String user) {
-    return manager.ask(
-        replyTo -> new ManagerMessage.ClearStops(robot, Set.copyOf(reasons), user, replyTo));
+    return askFloorOf(robot, floor -> floor.clearStops(robot, reasons, user));
   }
 
   @Override
   public CompletionStage<Answer<RobotView>> sendHome(String robot, String user) {
-    return manager.ask(replyTo -> new ManagerMessage.SendHome(robot, user, replyTo));
+    return askFloorOf(robot, floor -> floor.sendHome(robot, user));
   }
 
   @Override
   public CompletionStage<Answer<TaskView>> commandTask(
       long task, MissionEvent.OperatorCommand command) {
-    return manager.ask(replyTo -> new ManagerMessage.CommandTask(task, command, replyTo));
+    return askFloorOfTask(task, floor -> floor.commandTask(task, command));
   }
 
   @Override
   public CompletionStage<Answer<TaskView>> editTask(
       long task, TaskOrder order, @Nullable TransportTask seen, String user) {
-    return manager.askChecked(
-        user,
-        (check, replyTo) -> new ManagerMessage.EditTask(task, order, seen, user, check, replyTo));
+    return askFloorOfTask(task, floor -> floor.editTask(task, order, seen, user));
   }
 
   @Override
   public CompletionStage<Answer<TaskView>> deleteTask(TaskView task, String user) {
-    return manager.ask(replyTo -> new ManagerMessage.DeleteTask(task, user, replyTo));
+    return floors
+        .find(task.task().floor())
+        .or(() -> floors.all().stream().findFirst())
+        .map(entry -> entry.ask(floor -> floor.deleteTask(task, user)))
+        .orElseGet(
+            () ->
+                CompletableFuture.completedFuture(FloorDirectory.unknown(task.task().floor())));
   }
 
   @Override
   public CompletionStage<Answer<Optional<Hold>>> pauseAll(String user) {
-    return manager.ask(replyTo -> new ManagerMessage.SetPause(true, user, replyTo));
+    return setPause(true, user);
   }
 
   @Override
   public CompletionStage<Answer<Optional<Hold>>> resumeAll(String user) {
-    return manager.ask(replyTo -> new ManagerMessage.SetPause(false, user, replyTo));
+    return setPause(false, user);
+  }
+
+  private CompletionStage<Answer<Optional<Hold>>> setPause(boolean pauses, String user) {
+    return AskPattern.askWithStatus(
+        manager,
+        replyTo -> new ManagerMessage.SetPause(pauses, user, replyTo),
+        DispatchCalls.ANSWER_LIMIT,
+        manager.scheduler());
   }
 
   @Override
   public CompletionStage<Answer<Optional<Hold>>> holdFloor(String floor, String user) {
-    return manager.ask(replyTo -> new ManagerMessage.HoldFloor(floor, true, user, replyTo));
+    return floors
+        .find(floor)
+        .map(entry -> entry.askAtOnce(agents -> agents.hold(true, user)))
+        .orElseGet(() -> CompletableFuture.completedFuture(FloorDirectory.unknown(floor)));
   }
 
   @Override
   public CompletionStage<Answer<Optional<Hold>>> resumeFloor(String floor, String user) {
-    return manager.ask(replyTo -> new ManagerMessage.HoldFloor(floor, false, user, replyTo));
+    return askFloor(floor, agents -> agents.hold(false, user));
   }
 
   @Override
   public CompletionStage<Answer<Optional<String>>> chooseAllocator(
       String floor, Optional<String> allocator, String user) {
-    return manager.ask(
-        replyTo -> new ManagerMessage.ChooseAllocator(floor, allocator, user, replyTo));
+    return askFloor(floor, agents -> agents.chooseAllocator(allocator, user));
   }
 
   @Override
@@ -348,17 +517,22 @@ public final class AgentFleet implements Fleet, AutoCloseable {
 
   @Override
   public FloorEditing floorEditing() {
-    throw new IllegalStateException("not yet");
+    return editor;
   }
 
   @Override
   public List<FloorMap> floors() {
-    return floors;
+    return floors.all().stream().map(FloorEntry::map).toList();
   }
 
   @Override
   public SnapshotFeed snapshots() {
-    return latestSnapshot;
+    return snapshots;
+  }
+
+  @Override
+  public Optional<SnapshotFeed> snapshots(String floor) {
+    return floors.find(floor).map(FloorEntry::snapshots);
   }
 
   @Override
@@ -368,7 +542,10 @@ public final class AgentFleet implements Fleet, AutoCloseable {
 
   /** How many messages of robots were left out, by their kind, since the start. */
   public long passedOver(RobotMessageKind kind) {
-    return health.passedOver(kind);
+    return floors.all().stream()
+        .flatMap(floor -> floor.agents().stream())
+        .mapToLong(agents -> agents.passedOver(kind))
+        .sum();
   }
 
   /** Completes when the agents have ended though nobody closed them: nothing moves any more. */
@@ -394,18 +571,22 @@ public final class AgentFleet implements Fleet, AutoCloseable {
   @Override
   public void close() {
     monitor.close();
-    terminate();
+    editor.close();
+    close(floors.all());
   }
 
-  private void terminate() {
+  private void close(List<FloorEntry> running) {
     isClosing = true;
-    system.terminate();
+    shared.storeHealth().close();
+    running.parallelStream().forEach(FloorEntry::close);
+    batchWriter.close();
+    manager.terminate();
     try {
-      system.getWhenTerminated().toCompletableFuture().get(10, TimeUnit.SECONDS);
+      manager.getWhenTerminated().toCompletableFuture().get(CLOSE_SECONDS, TimeUnit.SECONDS);
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
-    } catch (TimeoutException | java.util.concurrent.ExecutionException e) {
-      log.warn("The agents did not end in time.", e);
+    } catch (TimeoutException | ExecutionException e) {
+      log.warn("The manager did not end in time.", e);
     }
   }
 }

@@ -13,28 +13,28 @@ import org.toqa.wording.Phrase;
 import org.toqa.wording.Sentence;
 
 /**
- * Looks every second whether the fleet goes on, and puts what it finds on the newest snapshot. It
+ * Looks every second whether the fleet goes on, and puts what it finds on the newest snapshots. It
  * needs none of the agents for that.
  */
 final class FleetMonitor implements AutoCloseable {
   private static final Logger log = LoggerFactory.getLogger(FleetMonitor.class);
   private static final Duration PERIOD = Duration.ofSeconds(1);
 
-  private final Supplier<List<Sentence>> agentFailures;
-  private final Supplier<List<Sentence>> agentWarnings;
+  private final Supplier<List<FloorEntry>> floors;
+  private final Supplier<List<Sentence>> managerFailures;
+  private final SiteSnapshots site;
   private final List<Supplier<Optional<Sentence>>> checks = new CopyOnWriteArrayList<>();
   private final List<Supplier<Optional<Sentence>>> warnings = new CopyOnWriteArrayList<>();
-  private final LatestSnapshot latest;
   private final PeriodicWork work;
   private List<Sentence> logged = List.of();
 
   FleetMonitor(
-      Supplier<List<Sentence>> agentFailures,
-      Supplier<List<Sentence>> agentWarnings,
-      LatestSnapshot latest) {
-    this.agentFailures = agentFailures;
-    this.agentWarnings = agentWarnings;
-    this.latest = latest;
+      Supplier<List<FloorEntry>> floors,
+      Supplier<List<Sentence>> managerFailures,
+      SiteSnapshots site) {
+    this.floors = floors;
+    this.managerFailures = managerFailures;
+    this.site = site;
     this.work = new PeriodicWork("fleet-monitor", PERIOD, this::look);
   }
 
@@ -48,24 +48,35 @@ final class FleetMonitor implements AutoCloseable {
 
   /** Why the fleet cannot go on; empty while it can. */
   List<Sentence> failures() {
-    List<Sentence> found = new ArrayList<>(agentFailures.get());
+    List<Sentence> found = new ArrayList<>(ofAllFloors());
+    floors.get().forEach(floor -> found.addAll(floor.failures()));
+    return found;
+  }
+
+  private List<Sentence> ofAllFloors() {
+    List<Sentence> found = new ArrayList<>(managerFailures.get());
     checks.forEach(check -> check.get().ifPresent(found::add));
     return found;
   }
 
   private void look() {
-    List<Sentence> found = failures();
-    if (found.isEmpty() != logged.isEmpty()) {
+    List<Sentence> failures = failures();
+    if (failures.isEmpty() != logged.isEmpty()) {
       log.warn(
-          found.isEmpty()
+          failures.isEmpty()
               ? "The fleet goes on."
-              : Sentence.joined(Phrase.LISTED_APART, found).english());
+              : Sentence.joined(Phrase.LISTED_APART, failures).english());
     }
-    logged = found;
-    List<Sentence> alerts = new ArrayList<>(found);
-    alerts.addAll(agentWarnings.get());
-    warnings.forEach(check -> check.get().ifPresent(alerts::add));
-    latest.setAlerts(alerts);
+    logged = failures;
+    List<Sentence> everywhere = ofAllFloors();
+    warnings.forEach(check -> check.get().ifPresent(everywhere::add));
+    for (FloorEntry floor : floors.get()) {
+      List<Sentence> here = new ArrayList<>(everywhere);
+      here.addAll(floor.failures());
+      floor.ifRunning(agents -> here.addAll(agents.warnings()));
+      floor.snapshots().setAlerts(here);
+    }
+    site.setAlerts(everywhere);
   }
 
   @Override

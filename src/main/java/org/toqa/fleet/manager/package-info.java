@@ -1,4 +1,7 @@
-/** The manager agent: takes and allocates tasks, registers robots, publishes snapshots. */
+/**
+ * The directory of floors: which there are and how they change, and what holds for all of them.
+ * What concerns one floor is handed to its dispatch.
+ */
 @NullMarked
 package org.toqa.fleet.manager;
 

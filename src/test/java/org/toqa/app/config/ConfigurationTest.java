@@ -29,9 +29,9 @@ class ConfigurationTest {
 
     assertEquals(8080, configuration.port());
     assertEquals("127.0.0.1", configuration.address().getHostAddress());
-    assertEquals(Path.of("/webapp/WEB-INF/maps/lab.yaml"), configuration.map());
+    assertEquals(List.of(Path.of("/webapp/WEB-INF/maps/lab.yaml")), configuration.maps());
     assertEquals(Policy.OPTIMAL, configuration.allocationPolicy());
-    assertEquals(0, configuration.simulatedRobots());
+    assertEquals(List.of(0), configuration.simulatedRobots());
     assertEquals(300, configuration.requestsPerSecond());
     assertNull(configuration.firstManager());
   }
@@ -54,7 +54,7 @@ class ConfigurationTest {
         Configuration.of(SHIPPED_MAP, List.of(commandLine, environment, file));
 
     assertEquals(21, configuration.port());
-    assertEquals(12, configuration.simulatedRobots());
+    assertEquals(List.of(12), configuration.simulatedRobots());
     assertEquals(3, configuration.simulationSpeed());
   }
 

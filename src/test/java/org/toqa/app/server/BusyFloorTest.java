@@ -26,6 +26,7 @@ import org.toqa.fleet.RobotRecord;
 import org.toqa.fleet.RobotState;
 import org.toqa.fleet.ServerRuntime;
 import org.toqa.fleet.TaskOrder;
+import org.toqa.fleet.FloorsInMemory;
 import org.toqa.fleet.manager.AgentFleet;
 import org.toqa.geometry.Pose;
 import org.toqa.geometry.Vec2;
@@ -117,7 +118,7 @@ class BusyFloorTest {
     clock.add(links, VirtualClock.STEP);
     fleet =
         new AgentFleet(
-            List.of(floor),
+            FloorsInMemory.of(floor),
             store,
             new JdbiScheduleStore(database.jdbi()),
             new WatchedLinks(links),

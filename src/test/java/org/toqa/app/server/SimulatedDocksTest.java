@@ -27,6 +27,7 @@ import org.toqa.fleet.FleetSnapshot;
 import org.toqa.fleet.RobotRecord;
 import org.toqa.fleet.RobotState;
 import org.toqa.fleet.history.EventArchive.Filter;
+import org.toqa.fleet.FloorsInMemory;
 import org.toqa.fleet.manager.AgentFleet;
 import org.toqa.geometry.Pose;
 import org.toqa.grid.FloorMap;
@@ -89,7 +90,7 @@ class SimulatedDocksTest {
     }
     fleet =
         new AgentFleet(
-            List.of(floor),
+            FloorsInMemory.of(floor),
             store,
             new JdbiScheduleStore(database.jdbi()),
             new TcpRobotLinkFactory(new LinkTls(IdentityFile.open(folder)), false),
@@ -98,7 +99,7 @@ class SimulatedDocksTest {
             InstantSource.system(),
             clock.instant());
     parts.add(fleet);
-    SimulatedDocks docks = new SimulatedDocks(robots, fleet, floor);
+    SimulatedDocks docks = new SimulatedDocks(robots, fleet);
     clock.add(nanos -> fleet.tick(clock.instant()), Duration.ofMillis(100));
     clock.add(nanos -> docks.locateStandingRobots(), SimulatedDocks.PERIOD);
     clock.start();

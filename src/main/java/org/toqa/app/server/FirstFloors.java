@@ -1,0 +1,70 @@
+package org.toqa.app.server;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.time.Instant;
+import java.util.List;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+import org.toqa.app.config.Configuration;
+import org.toqa.fleet.EventKind;
+import org.toqa.fleet.EventRecord;
+import org.toqa.fleet.FloorStore;
+import org.toqa.grid.FloorMap;
+import org.toqa.grid.FloorReader;
+import org.toqa.persistence.StoreException;
+import org.toqa.wording.Phrase;
+
+/** The floors with which a server begins: those of its database, or else of the map files. */
+final class FirstFloors {
+  private static final Logger log = LoggerFactory.getLogger(FirstFloors.class);
+
+  private FirstFloors() {}
+
+  /**
+   * The floors that there are. Where there are none, the maps of the configuration are imported.
+   *
+   * @throws IOException a map cannot be used, or the floors cannot be stored; the message says what
+   *     to do
+   */
+  static List<FloorMap> of(Configuration configuration, FloorStore store, Instant now)
+      throws IOException {
+    try {
+      List<FloorMap> stored = store.floors();
+      if (stored.isEmpty()) {
+        for (Path file : configuration.maps()) {
+          add(FloorReader.read(file), store, now);
+        }
+        return store.floors();
+      }
+      tellUnused(configuration, stored);
+      return stored;
+    } catch (StoreException e) {
+      throw new IOException("The floors cannot be read or stored: " + e.getMessage(), e);
+    }
+  }
+
+  private static void add(FloorMap map, FloorStore store, Instant now) {
+    EventRecord event =
+        new EventRecord(
+            now,
+            EventKind.FLOOR_ADDED,
+            null,
+            null,
+            EventRecord.SYSTEM,
+            Phrase.FLOOR_IMPORTED.with(map.name()));
+    store.addFloor(map, new FloorStore.Change(null, now, List.of(event)));
+  }
+
+  /** Whoever names another map now expects it to be used. */
+  private static void tellUnused(Configuration configuration, List<FloorMap> stored) {
+    for (Path file : configuration.maps()) {
+      String name = String.valueOf(file.getFileName()).replaceFirst("\\.[^.]*$", "");
+      if (stored.stream().noneMatch(floor -> floor.name().equals(name))) {
+        log.warn(
+            "{} is not used: the floors are in the database already. Import it on the page Floors.",
+            file);
+      }
+    }
+  }
+}

@@ -1,0 +1,88 @@
+package org.toqa.fleet.dispatch;
+
+import java.time.Duration;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Set;
+import java.util.concurrent.locks.Condition;
+import java.util.concurrent.locks.ReentrantLock;
+import org.toqa.fleet.FleetSnapshot;
+import org.toqa.fleet.SnapshotFeed;
+import org.toqa.wording.Sentence;
+
+/** Where the dispatch puts the floor's newest snapshot, and readers on other threads find it. */
+public final class LatestSnapshot implements SnapshotFeed {
+  private final ReentrantLock lock = new ReentrantLock();
+  private final Condition renewed = lock.newCondition();
+  private volatile FleetSnapshot latest;
+
+  /** As the agents published it, guarded by the lock. */
+  private FleetSnapshot published;
+
+  /** What others found, before the agents' own alerts; guarded by the lock. */
+  private List<Sentence> found = List.of();
+
+  private final Runnable onRenewed;
+
+  /**
+   * @param onRenewed is told, by the thread that publishes, of each newer one
+   */
+  public LatestSnapshot(FleetSnapshot first, Runnable onRenewed) {
+    this.onRenewed = onRenewed;
+    latest = first;
+    published = first;
+  }
+
+  /** Its version becomes the next one. */
+  void publish(FleetSnapshot snapshot) {
+    lock.lock();
+    try {
+      published = snapshot;
+      renew();
+    } finally {
+      lock.unlock();
+    }
+    onRenewed.run();
+  }
+
+  /** Puts these alerts on the newest snapshot and on all that follow, instead of those before. */
+  public void setAlerts(List<Sentence> alerts) {
+    lock.lock();
+    try {
+      if (found.equals(alerts)) {
+        return;
+      }
+      found = List.copyOf(alerts);
+      renew();
+    } finally {
+      lock.unlock();
+    }
+    onRenewed.run();
+  }
+
+  private void renew() {
+    Set<Sentence> alerts = new LinkedHashSet<>(found);
+    alerts.addAll(published.alerts());
+    latest = published.with(latest.version() + 1, List.copyOf(alerts));
+    renewed.signalAll();
+  }
+
+  @Override
+  public FleetSnapshot latest() {
+    return latest;
+  }
+
+  @Override
+  public FleetSnapshot awaitNewer(long version, Duration limit) throws InterruptedException {
+    lock.lock();
+    try {
+      long left = limit.toNanos();
+      while (latest.version() <= version && left > 0) {
+        left = renewed.awaitNanos(left);
+      }
+      return latest;
+    } finally {
+      lock.unlock();
+    }
+  }
+}

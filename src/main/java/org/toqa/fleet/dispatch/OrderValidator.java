@@ -1,0 +1,319 @@
+package org.toqa.fleet.dispatch;
+
+import java.time.Instant;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.CompletionException;
+import java.util.concurrent.CompletionStage;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+import org.jspecify.annotations.Nullable;
+import org.toqa.fleet.Answer;
+import org.toqa.fleet.CheckRefusedException;
+import org.toqa.fleet.PathAnswer;
+import org.toqa.fleet.PathQuestion;
+import org.toqa.fleet.RobotChange;
+import org.toqa.fleet.RobotOrder;
+import org.toqa.fleet.RobotRecord;
+import org.toqa.fleet.TaskOrder;
+import org.toqa.fleet.TaskOrder.Where;
+import org.toqa.fleet.floor.PlaceCheck;
+import org.toqa.geometry.Vec2;
+import org.toqa.grid.FloorMap;
+import org.toqa.grid.OccupancyGrid;
+import org.toqa.grid.Place;
+import org.toqa.mission.Mission;
+import org.toqa.mission.TaskPlace;
+import org.toqa.mission.TransportTask;
+import org.toqa.mission.TransportTask.LoadSize;
+import org.toqa.wording.Phrase;
+import org.toqa.wording.Sentence;
+
+/** Checks orders against the floors before anything of them is stored. Any thread may ask. */
+final class OrderValidator {
+  private final FloorMap floor;
+  private final Set<String> gateways;
+  private final PathQuery paths;
+
+  /**
+   * @param floors at least one; the first is the default
+   * @param gateways the names of those that there are
+   */
+  OrderValidator(FloorMap floor, Set<String> gateways, PathQuery paths) {
+    this.floor = floor;
+    this.gateways = Set.copyOf(gateways);
+    this.paths = paths;
+  }
+
+  /**
+   * Checks an order for a task. Paths are planned on another thread, so the answer may come later.
+   *
+   * @param capacity of all robots that there are
+   * @param check of this order
+   * @return the task, its id not known yet; or the sentence against it, with the order's field
+   */
+  CompletionStage<Answer<TransportTask>> checkTask(
+      TaskOrder order, String user, Instant now, Capacity capacity, OrderChecks.Check check) {
+    return checkAll(order, user, now, capacity, check).thenApply(List::getFirst);
+  }
+
+  /**
+   * The same, with all the sentences against it.
+   *
+   * @return the task alone, or one rejection or more
+   */
+  CompletionStage<List<Answer<TransportTask>>> checkAll(
+      TaskOrder order, String user, Instant now, Capacity capacity, OrderChecks.Check check) {
+    List<Answer<TransportTask>> resolved = resolveTask(order, user, now, capacity.total());
+    return resolved.getFirst() instanceof Answer.Accepted<TransportTask>(TransportTask task)
+        ? checkPath(task, capacity, check)
+            .thenCompose(checked -> checkRoom(checked, capacity, check))
+            .thenApply(List::of)
+        : CompletableFuture.completedFuture(resolved);
+  }
+
+  /** All of the check that needs no path. */
+  private List<Answer<TransportTask>> resolveTask(
+      TaskOrder order, String user, Instant now, double totalCapacity) {
+    List<Answer<TransportTask>> rejections = new ArrayList<>();
+    if (order.load() > totalCapacity) {
+      rejections.add(
+          new Answer.Rejected<>(
+              "load", Phrase.TOO_HEAVY_TOGETHER.with(order.load(), totalCapacity)));
+    }
+    Answer<TaskPlace> start = resolvePlace(Phrase.START, order.start());
+    Answer<TaskPlace> goal = resolvePlace(Phrase.GOAL, order.goal());
+    Stream.of(start, goal)
+        .filter(place -> !(place instanceof Answer.Accepted<TaskPlace>))
+        .forEach(place -> rejections.add(place.asRejection()));
+    if (start instanceof Answer.Accepted<TaskPlace>(TaskPlace from)
+        && goal instanceof Answer.Accepted<TaskPlace>(TaskPlace to)) {
+      OccupancyGrid grid = floor.grid();
+      if (grid.cellAt(from.position()).equals(grid.cellAt(to.position()))) {
+        rejections.add(new Answer.Rejected<>("goal", Phrase.SAME_PLACE.with()));
+      }
+      if (rejections.isEmpty()) {
+        return List.of(new Answer.Accepted<>(order.task(from, to, floor.name(), user, now)));
+      }
+    }
+    return rejections;
+  }
+
+  /**
+   * The path between two places, as the smallest robot drives it on a floor where it is alone.
+   *
+   * @param check what it is asked for
+   * @return the path; or the sentence against it, with the question's field
+   */
+  CompletionStage<Answer<PathAnswer>> findPath(PathQuestion question, OrderChecks.Check check) {
+    Answer<TaskPlace> start = resolvePlace(Phrase.START, question.start());
+    Answer<TaskPlace> goal = resolvePlace(Phrase.GOAL, question.goal());
+    if (!(start instanceof Answer.Accepted<TaskPlace>(TaskPlace from))) {
+      return CompletableFuture.completedFuture(start.asRejection());
+    }
+    if (!(goal instanceof Answer.Accepted<TaskPlace>(TaskPlace to))) {
+      return CompletableFuture.completedFuture(goal.asRejection());
+    }
+    OccupancyGrid grid = floor.grid();
+    if (grid.cellAt(from.position()).equals(grid.cellAt(to.position()))) {
+      List<Vec2> straight = List.of(from.position(), to.position());
+      return CompletableFuture.completedFuture(
+          new Answer.Accepted<>(new PathAnswer(floor.name(), straight)));
+    }
+    return paths
+        .findPath(grid, from.position(), to.position(), 2 * PlaceCheck.SMALLEST_RADIUS, check)
+        .thenApply(
+            path ->
+                switch (path) {
+                  case FloorPath.Found(List<Vec2> points) ->
+                      new Answer.Accepted<>(new PathAnswer(floor.name(), points));
+                  case FloorPath.FoundBetweenCells _ ->
+                      new Answer.Accepted<>(new PathAnswer(floor.name(), List.of()));
+                  case FloorPath.NotFound _ -> noPath(from, to);
+                });
+  }
+
+  private static <T> Answer<T> noPath(TaskPlace from, TaskPlace to) {
+    return new Answer.Rejected<>(
+        "goal", Phrase.NO_WAY_BETWEEN.with(from.sentence(), to.sentence()));
+  }
+
+  /** Whether there is a path, for the smallest robot, and for the load where one carries it. */
+  private CompletionStage<Answer<TransportTask>> checkPath(
+      TransportTask task, Capacity capacity, OrderChecks.Check check) {
+    LoadSize size = task.size();
+    return hasPath(task, 2 * PlaceCheck.SMALLEST_RADIUS, check)
+        .thenCompose(
+            hasPath ->
+                !hasPath
+                    ? CompletableFuture.completedFuture(noPath(task.start(), task.goal()))
+                    : size == null || !capacity.narrowestTeams(task).isEmpty()
+                        ? CompletableFuture.completedFuture(new Answer.Accepted<>(task))
+                        : checkPathWithLoad(task, size, check));
+  }
+
+  private CompletionStage<Answer<TransportTask>> checkPathWithLoad(
+      TransportTask task, LoadSize size, OrderChecks.Check check) {
+    return hasPath(task, Math.max(size.diameter(), 2 * PlaceCheck.SMALLEST_RADIUS), check)
+        .thenApply(
+            hasPath ->
+                hasPath
+                    ? new Answer.Accepted<>(task)
+                    : new Answer.Rejected<>(
+                        "load",
+                        Phrase.NO_WAY_FOR_LOAD.with(
+                            task.start().sentence(),
+                            task.goal().sentence(),
+                            size.length(),
+                            size.width(),
+                            size.diameter())));
+  }
+
+  private CompletionStage<Boolean> hasPath(
+      TransportTask task, double diameter, OrderChecks.Check check) {
+    OccupancyGrid grid = floor.grid();
+    return paths
+        .findPath(grid, task.start().position(), task.goal().position(), diameter, check)
+        .thenApply(path -> !(path instanceof FloorPath.NotFound));
+  }
+
+  /**
+   * Whether as many robots as it takes, the narrowest that there are, have room on the map: what
+   * they have none for now waits, what they never will is refused. Where that does not show in
+   * time, it waits.
+   */
+  private CompletionStage<Answer<TransportTask>> checkRoom(
+      Answer<TransportTask> checked, Capacity capacity, OrderChecks.Check check) {
+    if (!(checked instanceof Answer.Accepted<TransportTask>(TransportTask task))) {
+      return CompletableFuture.completedFuture(checked);
+    }
+    Mission mission = Mission.queued(task);
+    return paths
+        .objectionToTeams(
+            floor, mission, capacity.narrowestTeams(task), check)
+        .exceptionally(OrderValidator::noObjectionInTime)
+        .thenApply(
+            objection ->
+                objection
+                    .<Answer<TransportTask>>map(why -> new Answer.Rejected<>("load", why))
+                    .orElse(checked));
+  }
+
+  private static Optional<Sentence> noObjectionInTime(Throwable failure) {
+    Throwable cause = failure instanceof CompletionException e ? e.getCause() : failure;
+    if (cause instanceof CheckRefusedException) {
+      return Optional.empty();
+    }
+    throw new CompletionException(cause);
+  }
+
+  Answer<RobotRecord> checkRobot(RobotOrder order, List<RobotRecord> existing) {
+    if (existing.stream().anyMatch(r -> r.name().equalsIgnoreCase(order.name()))) {
+      return new Answer.Rejected<>("name", Phrase.ROBOT_NAME_TAKEN.with(order.name()));
+    }
+    Optional<Sentence> ofGateway = objectionToGateway(order.gateway());
+    if (ofGateway.isPresent()) {
+      return new Answer.Rejected<>("gateway", ofGateway.get());
+    }
+    Set<String> taken = takenParking(existing.stream());
+    String parking = order.parking();
+    if (parking == null) {
+      parking =
+          floor.parking().stream()
+              .map(Place::name)
+              .filter(p -> !taken.contains(p))
+              .findFirst()
+              .orElse(null);
+    } else {
+      Optional<Sentence> objection = objectionToParking(parking, taken);
+      if (objection.isPresent()) {
+        return new Answer.Rejected<>("parking", objection.get());
+      }
+    }
+    return new Answer.Accepted<>(
+        new RobotRecord(
+            order.name(),
+            floor.name(),
+            order.host(),
+            order.port(),
+            order.maxLoad(),
+            parking,
+            false,
+            null,
+            order.gateway()));
+  }
+
+  Answer<RobotRecord> checkChange(
+      RobotRecord robot, RobotChange change, List<RobotRecord> existing) {
+    RobotRecord changed = robot.withChange(change);
+    if (robot.simulated() && !changed.address().equals(robot.address())) {
+      return new Answer.Rejected<>("host", Phrase.SIMULATED_HAS_NO_ADDRESS.with(robot.name()));
+    }
+    Optional<Sentence> ofGateway = objectionToGateway(change.gateway());
+    if (ofGateway.isPresent()) {
+      return new Answer.Rejected<>("gateway", ofGateway.get());
+    }
+    Set<String> taken =
+        takenParking(existing.stream().filter(other -> !other.name().equals(robot.name())));
+    Optional<Sentence> objection =
+        Optional.ofNullable(change.parking())
+            .flatMap(parking -> objectionToParking(parking, taken));
+    return objection.isPresent()
+        ? new Answer.Rejected<>("parking", objection.get())
+        : new Answer.Accepted<>(changed);
+  }
+
+  private Optional<Sentence> objectionToGateway(@Nullable String gateway) {
+    return gateway == null || gateways.contains(gateway)
+        ? Optional.empty()
+        : Optional.of(Phrase.NO_SUCH_GATEWAY.with(gateway));
+  }
+
+  private static Set<String> takenParking(Stream<RobotRecord> robots) {
+    return robots.map(RobotRecord::parking).filter(p -> p != null).collect(Collectors.toSet());
+  }
+
+  private Optional<Sentence> objectionToParking(String parking, Set<String> taken) {
+    if (floor.parking().stream().map(Place::name).noneMatch(parking::equals)) {
+      return Optional.of(Phrase.NO_SUCH_PARKING.with(parking, names(floor.parking())));
+    }
+    return taken.contains(parking)
+        ? Optional.of(Phrase.PARKING_TAKEN.with(parking))
+        : Optional.empty();
+  }
+
+  private Answer<TaskPlace> resolvePlace(Phrase end, Where where) {
+    return switch (where) {
+      case Where.Station(String name) ->
+          floor.stations().stream()
+              .filter(s -> s.name().equals(name))
+              .findFirst()
+              .map(s -> checkStandable(end, new TaskPlace(s.position(), s.name())))
+              .orElseGet(
+                  () ->
+                      new Answer.Rejected<>(
+                          fieldOf(end),
+                          Phrase.NO_SUCH_STATION.with(name, names(floor.stations()))));
+      case Where.Point(Vec2 position) -> checkStandable(end, new TaskPlace(position, null));
+    };
+  }
+
+  private Answer<TaskPlace> checkStandable(Phrase end, TaskPlace place) {
+    return PlaceCheck.objection(floor.grid(), end, place)
+        .<Answer<TaskPlace>>map(why -> new Answer.Rejected<>(fieldOf(end), why))
+        .orElseGet(() -> new Answer.Accepted<>(place));
+  }
+
+  private static String fieldOf(Phrase end) {
+    return end == Phrase.START ? "start" : "goal";
+  }
+
+  private static Sentence names(List<Place> places) {
+    return places.isEmpty()
+        ? Phrase.NONE_ON_FLOOR.with()
+        : Sentence.names(places.stream().map(Place::name).toList());
+  }
+}

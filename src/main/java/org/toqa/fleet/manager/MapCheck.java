@@ -1,0 +1,240 @@
+package org.toqa.fleet.manager;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.BitSet;
+import java.util.List;
+import java.util.Optional;
+import java.util.stream.Stream;
+import org.jspecify.annotations.Nullable;
+import org.toqa.fleet.FloorView.LeftLoad;
+import org.toqa.fleet.MapProblem;
+import org.toqa.fleet.RobotView;
+import org.toqa.fleet.Schedule;
+import org.toqa.fleet.TaskOrder.Where;
+import org.toqa.fleet.floor.PlaceCheck;
+import org.toqa.geometry.Vec2;
+import org.toqa.grid.Disc;
+import org.toqa.grid.FloorDrawing;
+import org.toqa.grid.Inflation;
+import org.toqa.grid.OccupancyGrid;
+import org.toqa.grid.Place;
+import org.toqa.mission.TaskPlace;
+import org.toqa.mission.TransportTask;
+import org.toqa.wording.Phrase;
+import org.toqa.wording.Sentence;
+
+/**
+ * What speaks against a drawing of a floor, by itself and by what is on the floor now.
+ *
+ * @param before the grid that is in force
+ * @param robots of the floor
+ * @param tasks that have not ended
+ * @param schedules all of the floor
+ */
+record MapCheck(
+    OccupancyGrid before,
+    List<RobotView> robots,
+    List<TransportTask> tasks,
+    List<LeftLoad> loads,
+    List<Schedule> schedules) {
+
+  /** Robots report where they are a little off: so much of one may lie in a wall, metres. */
+  private static final double POSE_TOLERANCE = 0.02;
+
+  List<MapProblem> problems(FloorDrawing drawing) {
+    OccupancyGrid grid = drawing.drivable();
+    List<MapProblem> problems = new ArrayList<>();
+    addPlaces(drawing, grid, problems);
+    robots.forEach(robot -> addRobot(robot, drawing, grid, problems));
+    tasks.forEach(task -> addTask(task, grid, problems));
+    loads.forEach(load -> addLoad(load, grid, problems));
+    schedules.forEach(schedule -> addSchedule(schedule, drawing, grid, problems));
+    addHints(drawing, problems);
+    return problems;
+  }
+
+  private static MapProblem blocking(Sentence text, @Nullable Vec2 where) {
+    return new MapProblem(true, text, where);
+  }
+
+  private static void addPlaces(
+      FloorDrawing drawing, OccupancyGrid grid, List<MapProblem> problems) {
+    Reach reach = Reach.of(grid, drawing.places().toList());
+    if (reach.isEmpty()) {
+      problems.add(blocking(Phrase.MAP_HAS_NO_ROOM.with(), null));
+      return;
+    }
+    drawing
+        .places()
+        .forEach(
+            place ->
+                objection(grid, place.name(), place.position())
+                    .or(
+                        () ->
+                            reach.contains(place.position())
+                                ? Optional.empty()
+                                : Optional.of(Phrase.PLACE_CUT_OFF.with(place.name())))
+                    .ifPresent(text -> problems.add(blocking(text, place.position()))));
+  }
+
+  private static Optional<Sentence> objection(OccupancyGrid grid, String name, Vec2 position) {
+    return PlaceCheck.objection(grid, Phrase.PLACE, new TaskPlace(position, name));
+  }
+
+  private void addRobot(
+      RobotView robot, FloorDrawing drawing, OccupancyGrid grid, List<MapProblem> problems) {
+    Disc body = new Disc(robot.capabilities().footprint() / 2 - POSE_TOLERANCE);
+    if (robot.telemetry().pose() != null) {
+      Vec2 where = robot.telemetry().pose().position();
+      if (!body.isFreeAt(grid, where) && body.isFreeAt(before, where)) {
+        problems.add(blocking(Phrase.ROBOT_IN_NEW_WALL.with(robot.name()), where));
+      }
+    }
+    String parking = robot.record().parking();
+    if (parking != null && drawing.parking().stream().noneMatch(p -> p.name().equals(parking))) {
+      problems.add(blocking(Phrase.PARKING_GONE.with(parking, robot.name()), null));
+    }
+    cutPath(robot, body, grid)
+        .ifPresent(
+            where ->
+                problems.add(
+                    new MapProblem(false, Phrase.PATH_CUT.with(robot.name()), where)));
+  }
+
+  /** Where a robot's path meets a new wall. */
+  private Optional<Vec2> cutPath(RobotView robot, Disc body, OccupancyGrid grid) {
+    List<Vec2> path = robot.pathPoints();
+    for (int i = 1; i < path.size(); i++) {
+      Vec2 from = path.get(i - 1);
+      Vec2 to = path.get(i);
+      boolean isCut =
+          body.cellsAlong(grid, from, to).stream()
+              .filter(cell -> !grid.isFree(cell))
+              .anyMatch(cell -> before.isFree(before.cellAt(grid.centre(cell))));
+      if (isCut) {
+        return Optional.of(to);
+      }
+    }
+    return Optional.empty();
+  }
+
+  private static void addTask(TransportTask task, OccupancyGrid grid, List<MapProblem> problems) {
+    Stream.of(task.start(), task.goal())
+        .filter(
+            place ->
+                PlaceCheck.objection(grid, Phrase.PLACE, place).isPresent())
+        .findFirst()
+        .ifPresent(
+            place ->
+                problems.add(
+                    blocking(
+                        Phrase.TASK_PLACE_GONE.with(task.id(), place.sentence()),
+                        place.position())));
+  }
+
+  private static void addLoad(LeftLoad load, OccupancyGrid grid, List<MapProblem> problems) {
+    if (!grid.isFree(load.where())) {
+      problems.add(blocking(Phrase.LOAD_IN_NEW_WALL.with(load.name(), load.task()), load.where()));
+    }
+  }
+
+  private static void addSchedule(
+      Schedule schedule, FloorDrawing drawing, OccupancyGrid grid, List<MapProblem> problems) {
+    for (Where where : List.of(schedule.order().start(), schedule.order().goal())) {
+      switch (where) {
+        case Where.Station(String name) -> {
+          if (drawing.stations().stream().noneMatch(s -> s.name().equals(name))) {
+            problems.add(
+                blocking(Phrase.SCHEDULED_STATION_GONE.with(schedule.order().name(), name), null));
+          }
+        }
+        case Where.Point(Vec2 position) -> {
+          TaskPlace place = new TaskPlace(position, null);
+          if (PlaceCheck.objection(grid, Phrase.PLACE, place).isPresent()) {
+            problems.add(
+                blocking(
+                    Phrase.SCHEDULED_PLACE_GONE.with(schedule.order().name(), place.sentence()),
+                    position));
+          }
+        }
+      }
+    }
+  }
+
+  private static void addHints(FloorDrawing drawing, List<MapProblem> problems) {
+    hint(drawing.stations(), Phrase.NO_STATIONS_DRAWN, problems);
+    hint(drawing.parking(), Phrase.NO_PARKING_DRAWN, problems);
+    hint(drawing.charging(), Phrase.NO_CHARGING_DRAWN, problems);
+  }
+
+  private static void hint(List<Place> places, Phrase text, List<MapProblem> problems) {
+    if (places.isEmpty()) {
+      problems.add(new MapProblem(false, text.with(), null));
+    }
+  }
+
+  /**
+   * Where the smallest robot gets, by moves of the grid: from most of the places to each other, or,
+   * without places, the largest part of the floor.
+   *
+   * @param cells by {@link OccupancyGrid#index}
+   */
+  private record Reach(OccupancyGrid grid, BitSet cells) {
+    static Reach of(OccupancyGrid grid, List<Place> places) {
+      OccupancyGrid room = Inflation.inflate(grid, PlaceCheck.SMALLEST_RADIUS);
+      BitSet unseen = new BitSet(room.width() * room.height());
+      unseen.set(0, room.width() * room.height());
+      unseen.andNot(room.occupied());
+      Reach best = new Reach(grid, new BitSet());
+      long most = -1;
+      for (int start = unseen.nextSetBit(0); start >= 0; start = unseen.nextSetBit(start)) {
+        Reach part = new Reach(grid, flood(room, unseen, start));
+        long reached = places.stream().filter(p -> part.contains(p.position())).count();
+        if (reached > most
+            || (reached == most && part.cells.cardinality() > best.cells.cardinality())) {
+          best = part;
+          most = reached;
+        }
+      }
+      return best;
+    }
+
+    /** The cells that are connected with one, which are taken out of the unseen. */
+    private static BitSet flood(OccupancyGrid room, BitSet unseen, int start) {
+      BitSet part = new BitSet();
+      int[] open = new int[64];
+      int count = 0;
+      open[count++] = start;
+      unseen.clear(start);
+      int width = room.width();
+      while (count > 0) {
+        int cell = open[--count];
+        part.set(cell);
+        int column = cell % width;
+        int[] next = {
+          column > 0 ? cell - 1 : -1, column < width - 1 ? cell + 1 : -1, cell - width, cell + width
+        };
+        for (int neighbour : next) {
+          if (neighbour >= 0 && unseen.get(neighbour)) {
+            unseen.clear(neighbour);
+            if (count == open.length) {
+              open = Arrays.copyOf(open, 2 * count);
+            }
+            open[count++] = neighbour;
+          }
+        }
+      }
+      return part;
+    }
+
+    boolean isEmpty() {
+      return cells.isEmpty();
+    }
+
+    /** Whether a robot gets to the point, or to the middle of a cell beside it. */
+    boolean contains(Vec2 point) {
+      return grid.cellsAround(point, 1).stream().anyMatch(cell -> cells.get(grid.index(cell)));
+    }
+  }
+}
