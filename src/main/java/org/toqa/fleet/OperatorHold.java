@@ -125,7 +125,8 @@ public final class OperatorHold {
         () -> {
           if (hold != null) {
             subject.save(
-                hold, List.of(event(hold.since(), telling.held(), hold.user(), telling.heldText())));
+                hold,
+                List.of(event(hold.since(), telling.held(), hold.user(), telling.heldText())));
           }
         },
         () -> stored.accept(new Answer.Accepted<>(Optional.ofNullable(hold))),

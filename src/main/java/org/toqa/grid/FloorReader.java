@@ -73,13 +73,13 @@ public final class FloorReader {
     }
     String name = file.substring(0, file.lastIndexOf('.'));
     MapFile extra = mapFile.sibling(name + FLOOR_FILE);
-    FloorDrawing drawing = 
+    FloorDrawing drawing =
         extra.exists() ? withPlaces(grid, extra, checksPlaces) : FloorDrawing.of(grid);
     return new FloorMap(name, drawing, Margins.USUAL);
   }
 
-  private static FloorDrawing withPlaces(
-      OccupancyGrid walls, MapFile file, boolean checksPlaces) throws MapFormatException {
+  private static FloorDrawing withPlaces(OccupancyGrid walls, MapFile file, boolean checksPlaces)
+      throws MapFormatException {
     YamlFields yaml =
         YamlFields.read(
             file, List.of(STATIONS, PARKING, CHARGING, KEEP_OUT, SPEED_LIMITS, ONE_WAY));

@@ -48,8 +48,7 @@ public final class JdbiFloorStore implements FloorStore {
   }
 
   private FloorMap mapInForce(Handle h, String floor) {
-    return map(
-        floor, h.createQuery(NEWEST_MAP).bind("floor", floor).mapTo(byte[].class).one());
+    return map(floor, h.createQuery(NEWEST_MAP).bind("floor", floor).mapTo(byte[].class).one());
   }
 
   private FloorMap map(String floor, byte[] files) {
@@ -138,7 +137,10 @@ public final class JdbiFloorStore implements FloorStore {
             (row, context) ->
                 new DraftRow(
                     row.getString("user_name"),
-                    context.findColumnMapperFor(Instant.class).orElseThrow().map(row, "at", context),
+                    context
+                        .findColumnMapperFor(Instant.class)
+                        .orElseThrow()
+                        .map(row, "at", context),
                     row.getBytes("files")))
         .findOne()
         .map(

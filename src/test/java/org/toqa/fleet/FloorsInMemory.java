@@ -29,8 +29,7 @@ public final class FloorsInMemory implements FloorStore {
 
   @Override
   public synchronized boolean addFloor(FloorMap map, Change change) {
-    return floors.stream().noneMatch(f -> f.name().equalsIgnoreCase(map.name()))
-        && floors.add(map);
+    return floors.stream().noneMatch(f -> f.name().equalsIgnoreCase(map.name())) && floors.add(map);
   }
 
   @Override

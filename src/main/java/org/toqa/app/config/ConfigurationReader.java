@@ -1,10 +1,10 @@
 package org.toqa.app.config;
 
 import ch.qos.logback.classic.Level;
+import java.io.File;
 import java.net.InetAddress;
 import java.net.URI;
 import java.net.UnknownHostException;
-import java.io.File;
 import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;

@@ -43,7 +43,8 @@ final class BodyRecorder implements AutoCloseable {
   void write(Duration at, String floor, List<Body> bodies) {
     try {
       file.write(
-          JsonMapper.shared().writeValueAsString(new Line(at.toNanos() / 1e9, floor, bodies)) + '\n');
+          JsonMapper.shared().writeValueAsString(new Line(at.toNanos() / 1e9, floor, bodies))
+              + '\n');
       file.flush();
     } catch (IOException e) {
       throw new UncheckedIOException(e);

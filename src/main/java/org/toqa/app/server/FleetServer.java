@@ -64,8 +64,8 @@ import org.toqa.wording.Phrase;
  * Everything behind the web pages: store, fleet and simulated robots. It has one owner, the command
  * that started it or, on a stock Tomcat, {@link ToqaContextListener}.
  *
- * <p>Started in order: database, first manager, floors, simulated robots, fleet, time, records. Closed
- * in the reverse order.
+ * <p>Started in order: database, first manager, floors, simulated robots, fleet, time, records.
+ * Closed in the reverse order.
  */
 public final class FleetServer implements AutoCloseable {
   private static final Logger log = LoggerFactory.getLogger(FleetServer.class);

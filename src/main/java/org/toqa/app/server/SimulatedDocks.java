@@ -1,7 +1,6 @@
 package org.toqa.app.server;
 
 import java.time.Duration;
-import java.util.List;
 import java.util.Optional;
 import java.util.stream.Stream;
 import org.slf4j.Logger;
@@ -11,7 +10,6 @@ import org.toqa.fleet.RobotView;
 import org.toqa.fleet.manager.AgentFleet;
 import org.toqa.geometry.Angles;
 import org.toqa.geometry.Pose;
-import org.toqa.grid.FloorMap;
 import org.toqa.grid.Place;
 import org.toqa.sim.SimulatedFleet;
 

@@ -1,14 +1,11 @@
 package org.toqa.fleet.dispatch;
 
-import static java.util.Objects.requireNonNull;
-
 import java.time.Duration;
 import java.time.Instant;
 import java.util.HashMap;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
-import java.util.Objects;
 import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.CompletableFuture;
@@ -289,8 +286,7 @@ final class AllocationRounds {
 
   private void addLines(DecidedRound round) {
     negotiations.add(round.lines(), Duration.between(state.now, state.clock.instant()));
-    negotiations.retain(
-        task -> state.queue.get(task).isPresent() || state.isOnFloor(task));
+    negotiations.retain(task -> state.queue.get(task).isPresent() || state.isOnFloor(task));
   }
 
   /** What was last said of tasks by robots' agents. */
@@ -311,8 +307,7 @@ final class AllocationRounds {
     Mission mission = queued.mission();
     boolean isTeamKnown =
         chosen.size() < 2
-            || (team != null
-                && team.isAbout(mission, team(state.candidates(), chosen)));
+            || (team != null && team.isAbout(mission, team(state.candidates(), chosen)));
     Optional<Sentence> objection =
         team != null && isTeamKnown ? team.objection() : Optional.empty();
     if (team != null && objection.isPresent()) {

@@ -1,14 +1,9 @@
 package org.toqa.fleet.dispatch;
 
-import static java.util.Objects.requireNonNull;
-
 import java.time.Instant;
-import java.time.InstantSource;
-import java.util.Collections;
 import java.util.List;
 import java.util.Set;
 import java.util.stream.Collectors;
-import java.util.stream.Stream;
 import org.apache.pekko.actor.typed.ActorRef;
 import org.apache.pekko.actor.typed.Behavior;
 import org.apache.pekko.actor.typed.PostStop;
@@ -17,19 +12,16 @@ import org.apache.pekko.actor.typed.javadsl.ActorContext;
 import org.apache.pekko.actor.typed.javadsl.Behaviors;
 import org.apache.pekko.actor.typed.javadsl.Receive;
 import org.apache.pekko.pattern.StatusReply;
+import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
-import org.toqa.allocation.AllocationMethod;
 import org.toqa.fleet.Answer;
-import org.toqa.fleet.FleetRules;
 import org.toqa.fleet.FleetRuntime;
 import org.toqa.fleet.FleetStore;
 import org.toqa.fleet.FleetStore.OpenTask;
 import org.toqa.fleet.Hold;
-import org.jspecify.annotations.Nullable;
 import org.toqa.fleet.StoredRobot;
 import org.toqa.fleet.floor.FloorAgent;
-import org.toqa.fleet.floor.FloorDistances;
 import org.toqa.fleet.floor.FloorEvent;
 import org.toqa.fleet.floor.FloorMessage;
 import org.toqa.fleet.floor.StoredFloorState;
@@ -37,12 +29,10 @@ import org.toqa.fleet.robot.AgentHealth;
 import org.toqa.fleet.robot.RobotAgents;
 import org.toqa.fleet.robot.Supervision;
 import org.toqa.grid.FloorMap;
-import org.toqa.link.RobotLinkFactory;
 import org.toqa.link.gateway.GatewayState;
 import org.toqa.mission.Mission;
 import org.toqa.mission.TaskState;
 import org.toqa.wording.Phrase;
-import org.toqa.wording.Sentence;
 
 /**
  * Takes the tasks of a floor, keeps their queue, decides who carries what, and publishes snapshots
@@ -71,13 +61,16 @@ final class DispatchAgent extends AbstractBehavior<DispatchMessage> {
    * @param pause of all floors, as it is now
    */
   static Behavior<DispatchMessage> of(
-      FloorMap floor, SharedParts shared, LatestSnapshot latest, @Nullable Hold pause, Instant now) {
+      FloorMap floor,
+      SharedParts shared,
+      LatestSnapshot latest,
+      @Nullable Hold pause,
+      Instant now) {
     return Supervision.resuming(
         Phrase.DISPATCH_PART.with(floor.name()),
         DispatchMessage.class,
         shared.runtime(),
-        Behaviors.setup(
-            context -> new DispatchAgent(context, floor, shared, latest, pause, now)));
+        Behaviors.setup(context -> new DispatchAgent(context, floor, shared, latest, pause, now)));
   }
 
   private DispatchAgent(
@@ -94,9 +87,7 @@ final class DispatchAgent extends AbstractBehavior<DispatchMessage> {
     this.storeHealth = shared.storeHealth();
     ActorRef<DispatchMessage> self = context.getSelf();
     List<StoredRobot> robots =
-        store.storedRobots().stream()
-            .filter(r -> r.record().floor().equals(floor.name()))
-            .toList();
+        store.storedRobots().stream().filter(r -> r.record().floor().equals(floor.name())).toList();
     List<OpenTask> open = onFloor(floor, store.openTasks());
     Hold floorHold = store.floorHolds().get(floor.name());
     StoredFloorState memory =
@@ -189,8 +180,7 @@ final class DispatchAgent extends AbstractBehavior<DispatchMessage> {
     return tasks.stream().filter(t -> t.mission().task().floor().equals(floor.name())).toList();
   }
 
-  private void recover(
-      List<StoredRobot> robots, List<OpenTask> open, List<OpenTask> endedLegs) {
+  private void recover(List<StoredRobot> robots, List<OpenTask> open, List<OpenTask> endedLegs) {
     state.legs.recover(open, endedLegs);
     robots.forEach(r -> state.robots.put(r.name(), r.record()));
     open.forEach(t -> state.recover(t.mission(), t.changedAt()));

@@ -26,8 +26,8 @@ import org.toqa.fleet.RobotView;
 import org.toqa.fleet.TaskOrder;
 import org.toqa.fleet.TaskPreview;
 import org.toqa.fleet.TaskView;
-import org.toqa.fleet.floor.FloorEvent;
 import org.toqa.fleet.dispatch.DeliveryForecast.Delivery;
+import org.toqa.fleet.floor.FloorEvent;
 import org.toqa.geometry.Pose;
 import org.toqa.link.trust.Fingerprint;
 import org.toqa.mission.Mission;
@@ -233,8 +233,7 @@ public sealed interface DispatchMessage {
   record ApplyPause(@Nullable Hold pause) implements DispatchMessage, ControlMessage {}
 
   /** A person puts the floor's robots on hold, or lets them go on. It overtakes likewise. */
-  record HoldFloor(
-      boolean hold, String user, ActorRef<StatusReply<Answer<Optional<Hold>>>> replyTo)
+  record HoldFloor(boolean hold, String user, ActorRef<StatusReply<Answer<Optional<Hold>>>> replyTo)
       implements DispatchMessage, ControlMessage {}
 
   /** It comes before what is asked afterwards. */

@@ -1,29 +1,23 @@
 package org.toqa.fleet.dispatch;
 
-import static java.util.Objects.requireNonNull;
-
 import java.time.Instant;
 import java.time.InstantSource;
 import java.util.ArrayDeque;
 import java.util.Deque;
 import java.util.HashMap;
-import java.util.HashSet;
-import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.Optional;
 import java.util.Set;
 import java.util.TreeMap;
 import java.util.function.Consumer;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.apache.pekko.actor.typed.ActorRef;
+import org.jspecify.annotations.Nullable;
 import org.toqa.allocation.Candidate;
 import org.toqa.allocation.PlaceUse;
-import org.jspecify.annotations.Nullable;
 import org.toqa.fleet.FleetRuntime;
 import org.toqa.fleet.FleetStore;
-import org.toqa.fleet.FloorView;
 import org.toqa.fleet.RobotRecord;
 import org.toqa.fleet.RobotView;
 import org.toqa.fleet.StoreWriter;
@@ -39,7 +33,9 @@ import org.toqa.mission.TaskState;
 import org.toqa.wording.Phrase;
 import org.toqa.wording.Sentence;
 
-/** The floor's tasks as they are now, which the parts of its dispatch share. Confined to its agent. */
+/**
+ * The floor's tasks as they are now, which the parts of its dispatch share. Confined to its agent.
+ */
 final class DispatchState {
   private static final int ENDED_SHOWN = 50;
 
@@ -173,8 +169,7 @@ final class DispatchState {
   /** Whether the load of that ended task lies on the floor. */
   boolean hasLoadOf(long task) {
     FloorEvent.FloorReport told = report;
-    return told != null
-        && told.floor().leftLoads().stream().anyMatch(load -> load.task() == task);
+    return told != null && told.floor().leftLoads().stream().anyMatch(load -> load.task() == task);
   }
 
   List<RobotView> robotsHere() {

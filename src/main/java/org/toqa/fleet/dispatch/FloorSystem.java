@@ -91,7 +91,8 @@ public final class FloorSystem implements AutoCloseable {
             });
     this.system =
         ActorSystem.create(
-            Supervision.resuming(Phrase.DISPATCH_PART.with(map.name()), FloorEvent.class, runtime, manager),
+            Supervision.resuming(
+                Phrase.DISPATCH_PART.with(map.name()), FloorEvent.class, runtime, manager),
             "floor",
             AgentSystemSetup.of(runtime));
     try {

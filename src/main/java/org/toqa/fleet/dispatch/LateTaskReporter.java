@@ -1,7 +1,5 @@
 package org.toqa.fleet.dispatch;
 
-import static java.util.Objects.requireNonNull;
-
 import java.time.Duration;
 import java.time.Instant;
 import java.util.HashMap;
@@ -10,7 +8,6 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.function.Consumer;
-import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.apache.pekko.actor.typed.ActorRef;
 import org.jspecify.annotations.Nullable;
@@ -95,7 +92,8 @@ final class LateTaskReporter {
     } else {
       forecast(
           tasks,
-          earliest -> self.tell(new DispatchMessage.QueuedDeadlinesChecked(tasks, earliest, reply)));
+          earliest ->
+              self.tell(new DispatchMessage.QueuedDeadlinesChecked(tasks, earliest, reply)));
     }
   }
 
@@ -147,9 +145,7 @@ final class LateTaskReporter {
     Map<Long, Delivery> earliest = new HashMap<>();
     for (TaskView task : tasks) {
       if (DeadlineWatch.hasOpenDeadline(task)) {
-        floor
-            .earliestDelivery(task)
-            .ifPresent(delivery -> earliest.put(task.id(), delivery));
+        floor.earliestDelivery(task).ifPresent(delivery -> earliest.put(task.id(), delivery));
       }
     }
     return Map.copyOf(earliest);

@@ -39,7 +39,6 @@ final class OrderValidator {
   private final PathQuery paths;
 
   /**
-   * @param floors at least one; the first is the default
    * @param gateways the names of those that there are
    */
   OrderValidator(FloorMap floor, Set<String> gateways, PathQuery paths) {
@@ -192,8 +191,7 @@ final class OrderValidator {
     }
     Mission mission = Mission.queued(task);
     return paths
-        .objectionToTeams(
-            floor, mission, capacity.narrowestTeams(task), check)
+        .objectionToTeams(floor, mission, capacity.narrowestTeams(task), check)
         .exceptionally(OrderValidator::noObjectionInTime)
         .thenApply(
             objection ->

@@ -21,8 +21,7 @@ final class RoundDecider {
   /**
    * @param method asked at each round
    */
-  RoundDecider(
-      Supplier<AllocationMethod> method, ActorRef<NegotiationAgent.Message> negotiations) {
+  RoundDecider(Supplier<AllocationMethod> method, ActorRef<NegotiationAgent.Message> negotiations) {
     this.method = method;
     this.negotiations = negotiations;
   }
@@ -52,8 +51,7 @@ final class RoundDecider {
    * @param executor on which it is computed
    * @param now of the time that ticks bring
    */
-  CompletableFuture<Decision> inquire(
-      AllocationProblem problem, Executor executor, Instant now) {
+  CompletableFuture<Decision> inquire(AllocationProblem problem, Executor executor, Instant now) {
     CompletableFuture<DecidedRound> round =
         switch (method.get()) {
           case AllocationMethod.Computed _ -> decide(problem, executor, now);

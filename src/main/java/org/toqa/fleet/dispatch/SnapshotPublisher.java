@@ -1,7 +1,5 @@
 package org.toqa.fleet.dispatch;
 
-import static java.util.Objects.requireNonNull;
-
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.HashMap;
@@ -9,13 +7,11 @@ import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
-import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 import org.toqa.allocation.PathLengths;
 import org.toqa.allocation.WaitExplainer;
 import org.toqa.allocation.Zone;
 import org.toqa.fleet.FleetSnapshot;
-import org.toqa.fleet.FloorView;
 import org.toqa.fleet.FloorView.ZoneView;
 import org.toqa.fleet.RobotView;
 import org.toqa.fleet.TaskView;
@@ -86,10 +82,7 @@ final class SnapshotPublisher {
             report == null ? List.of() : List.of(report.floor().withZones(zones())),
             holds.pause(),
             rounds.negotiations(),
-            allocator
-                .word()
-                .map(word -> Map.of(state.floor.name(), word))
-                .orElseGet(Map::of),
+            allocator.word().map(word -> Map.of(state.floor.name(), word)).orElseGet(Map::of),
             List.copyOf(alerts)));
   }
 
@@ -97,8 +90,7 @@ final class SnapshotPublisher {
     WaitExplainer plain =
         state.report == null
             ? null
-            : new WaitExplainer(
-                state.candidates(), PathLengths.STRAIGHT, state.chargerPositions());
+            : new WaitExplainer(state.candidates(), PathLengths.STRAIGHT, state.chargerPositions());
     return state.queue.first(QUEUED_SHOWN).map(q -> view(q, plain)).toList();
   }
 

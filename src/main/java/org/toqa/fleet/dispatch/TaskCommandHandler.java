@@ -20,7 +20,6 @@ import org.toqa.fleet.FleetStore.Submission;
 import org.toqa.fleet.TaskOrder;
 import org.toqa.fleet.TaskView;
 import org.toqa.fleet.floor.FloorMessage;
-import org.toqa.grid.FloorMap;
 import org.toqa.mission.Mission;
 import org.toqa.mission.MissionEvent;
 import org.toqa.mission.Objection;
@@ -242,8 +241,7 @@ final class TaskCommandHandler {
       return;
     }
     AllocationProblem problem =
-        rounds.problem(
-            List.of(TaskQueue.job(task, task.start())), List.of(), state.candidates());
+        rounds.problem(List.of(TaskQueue.job(task, task.start())), List.of(), state.candidates());
     var _ =
         new TaskPreviewer(decider, paths, state.floor, request.check())
             .preview(task, problem, state.now)

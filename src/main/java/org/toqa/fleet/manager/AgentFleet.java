@@ -154,8 +154,7 @@ public final class AgentFleet implements Fleet, AutoCloseable {
             clock.instant(),
             pause,
             () -> floors.all().stream().<SnapshotFeed>map(FloorEntry::snapshots).toList());
-    this.batchWriter =
-        new StoreWriter("batches", runtime, store::inOneTransaction, change -> {});
+    this.batchWriter = new StoreWriter("batches", runtime, store::inOneTransaction, change -> {});
     this.batches =
         new TaskBatches(
             floors,
@@ -469,8 +468,7 @@ public final class AgentFleet implements Fleet, AutoCloseable {
         .or(() -> floors.all().stream().findFirst())
         .map(entry -> entry.ask(floor -> floor.deleteTask(task, user)))
         .orElseGet(
-            () ->
-                CompletableFuture.completedFuture(FloorDirectory.unknown(task.task().floor())));
+            () -> CompletableFuture.completedFuture(FloorDirectory.unknown(task.task().floor())));
   }
 
   @Override

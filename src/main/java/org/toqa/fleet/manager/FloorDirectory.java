@@ -8,7 +8,9 @@ import org.toqa.fleet.Answer;
 import org.toqa.wording.Phrase;
 import org.toqa.wording.Sentence;
 
-/** The floors that there are, in their order. Any thread may ask; one thread at a time changes it. */
+/**
+ * The floors that there are, in their order. Any thread may ask; one thread at a time changes it.
+ */
 final class FloorDirectory {
   private volatile List<FloorEntry> entries = List.of();
 

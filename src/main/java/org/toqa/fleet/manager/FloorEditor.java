@@ -47,8 +47,8 @@ import org.toqa.wording.Sentence;
  *   <li>The floor is asked nothing new, and what was asked is answered.
  *   <li>The draft is checked against what is on the floor then.
  *   <li>It is stored as the map in force. A crash from here on finds it so.
- *   <li>The floor's agents end, and others go on from the store, as after a crash: robots drive what
- *       was released to them, and are planned anew on the new map.
+ *   <li>The floor's agents end, and others go on from the store, as after a crash: robots drive
+ *       what was released to them, and are planned anew on the new map.
  * </ol>
  */
 final class FloorEditor implements FloorEditing, AutoCloseable {
@@ -191,9 +191,7 @@ final class FloorEditor implements FloorEditing, AutoCloseable {
     return schedules.schedules().stream()
         .filter(
             schedule ->
-                schedule.order().floor() == null
-                    ? isFirst
-                    : floor.equals(schedule.order().floor()))
+                schedule.order().floor() == null ? isFirst : floor.equals(schedule.order().floor()))
         .toList();
   }
 
@@ -300,16 +298,14 @@ final class FloorEditor implements FloorEditing, AutoCloseable {
       if (!blocking.isEmpty()) {
         answer =
             new Answer.Conflict<>(
-                Phrase.MAP_HAS_PROBLEMS.with(Sentence.joined(Phrase.LISTED_APART, blocking)),
-                null);
+                Phrase.MAP_HAS_PROBLEMS.with(Sentence.joined(Phrase.LISTED_APART, blocking)), null);
         return Optional.empty();
       }
       Optional<FloorMap> published =
           store.publish(
               floor,
               seen,
-              change(
-                  EventKind.FLOOR_MAP_PUBLISHED, user, Phrase.MAP_PUBLISHED.with(user, floor)));
+              change(EventKind.FLOOR_MAP_PUBLISHED, user, Phrase.MAP_PUBLISHED.with(user, floor)));
       published.ifPresent(map -> answer = new Answer.Accepted<>(map));
       return published;
     }

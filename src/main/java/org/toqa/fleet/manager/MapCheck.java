@@ -98,8 +98,7 @@ record MapCheck(
     cutPath(robot, body, grid)
         .ifPresent(
             where ->
-                problems.add(
-                    new MapProblem(false, Phrase.PATH_CUT.with(robot.name()), where)));
+                problems.add(new MapProblem(false, Phrase.PATH_CUT.with(robot.name()), where)));
   }
 
   /** Where a robot's path meets a new wall. */
@@ -121,9 +120,7 @@ record MapCheck(
 
   private static void addTask(TransportTask task, OccupancyGrid grid, List<MapProblem> problems) {
     Stream.of(task.start(), task.goal())
-        .filter(
-            place ->
-                PlaceCheck.objection(grid, Phrase.PLACE, place).isPresent())
+        .filter(place -> PlaceCheck.objection(grid, Phrase.PLACE, place).isPresent())
         .findFirst()
         .ifPresent(
             place ->

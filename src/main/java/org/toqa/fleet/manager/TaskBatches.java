@@ -146,8 +146,7 @@ final class TaskBatches {
                 })
             .toList();
     CompletableFuture<List<TransportTask>> stored = new CompletableFuture<>();
-    submitter.submit(
-        submissions, deadline, stored::complete, stored::completeExceptionally);
+    submitter.submit(submissions, deadline, stored::complete, stored::completeExceptionally);
     return stored.thenCompose(all -> take(parts, all));
   }
 

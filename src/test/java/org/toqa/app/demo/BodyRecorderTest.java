@@ -20,8 +20,7 @@ class BodyRecorderTest {
   void everyMomentIsALineThatCanBeReadAtOnce() throws Exception {
     Path file = folder.resolve("bodies.jsonl");
     try (BodyRecorder recorder = BodyRecorder.create(file)) {
-      recorder.write(
-          Duration.ofMillis(20), "lab", List.of(Body.disc("r1", new Vec2(1, 2), 0.25)));
+      recorder.write(Duration.ofMillis(20), "lab", List.of(Body.disc("r1", new Vec2(1, 2), 0.25)));
       recorder.write(
           Duration.ofMillis(1040),
           "store",

@@ -97,7 +97,8 @@ class SimulatedRobotsTest {
                 SettingSource.fromCommandLine(
                     Map.of(Setting.SIMULATE, "" + count, Setting.DATA, folder.toString()))));
     try (VirtualClock clock = new VirtualClock(Instant.EPOCH, 1);
-        SimulatedFleet robots = SimulatedRobots.start(configuration, List.of(floor), store, clock)) {
+        SimulatedFleet robots =
+            SimulatedRobots.start(configuration, List.of(floor), store, clock)) {
       return IntStream.rangeClosed(1, count)
           .mapToObj(i -> robots.truePose("r" + i).orElseThrow().position())
           .toList();
