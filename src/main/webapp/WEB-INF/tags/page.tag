@@ -28,7 +28,7 @@
     <c:if test="${not empty caller}">
       <fmt:message key="nav.label" var="label"/>
       <nav aria-label="${label}">
-        <c:forTokens items="task,robot,map,user,statistics" delims="," var="entry">
+        <c:forTokens items="task,robot,map,floor,user,statistics" delims="," var="entry">
           <c:set var="target" value="${entry == 'map' or entry == 'statistics' ? entry : (entry += 's')}"/>
           <a href="${root}/${target}" ${here == entry ? 'aria-current="page"' : ''}><t:icon name="${entry}"/><span><fmt:message key="nav.${entry}"/></span></a>
         </c:forTokens>

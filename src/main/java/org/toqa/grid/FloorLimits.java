@@ -17,7 +17,7 @@ public final class FloorLimits {
   private FloorLimits() {}
 
   /** Whether a place may be called so. */
-  static boolean isName(String name) {
+  public static boolean isName(String name) {
     return !name.isBlank()
         && name.codePointCount(0, name.length()) <= LONGEST_NAME
         && name.chars().noneMatch(Character::isISOControl);

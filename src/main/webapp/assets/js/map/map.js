@@ -41,6 +41,10 @@ class MapPage {
     this.#listenForZoomButtons();
     const select = $('#floor');
     select?.addEventListener('change', () => this.#showFloor(select.value));
+    const wanted = new URLSearchParams(location.search).get('floor');
+    if (select && [...select.options].some(({value}) => value === wanted)) {
+      select.value = wanted;
+    }
     await this.#showFloor(select?.value);
     subscribe(this.#update.bind(this), (connection) => this.#status.change(connection));
   }

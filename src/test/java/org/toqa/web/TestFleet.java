@@ -12,6 +12,7 @@ import java.util.function.UnaryOperator;
 import java.util.stream.Collectors;
 import org.jspecify.annotations.Nullable;
 import org.toqa.fleet.Answer;
+import org.toqa.fleet.FloorEditing;
 import org.toqa.fleet.Hold;
 import org.toqa.fleet.PairingOrder;
 import org.toqa.fleet.RobotChange;
@@ -21,7 +22,6 @@ import org.toqa.fleet.RobotState;
 import org.toqa.fleet.RobotView;
 import org.toqa.fleet.RobotView.Work;
 import org.toqa.fleet.ScheduleStore;
-import org.toqa.fleet.FloorEditing;
 import org.toqa.fleet.Schedules;
 import org.toqa.fleet.SnapshotFeed;
 import org.toqa.fleet.schedule.StoredSchedules;
@@ -35,6 +35,7 @@ import org.toqa.wording.Sentence;
 /** A fleet in memory: it does what it is told at once, and drives nothing by itself. */
 public final class TestFleet extends TasksInMemory {
   private final Schedules schedules;
+  private final FloorsInMemory drawn = new FloorsInMemory(this);
 
   /**
    * @param accountId the id of the user who has a name
@@ -46,7 +47,7 @@ public final class TestFleet extends TasksInMemory {
 
   @Override
   public FloorEditing floorEditing() {
-    throw new IllegalStateException("not yet");
+    return drawn;
   }
 
   @Override
@@ -215,7 +216,13 @@ public final class TestFleet extends TasksInMemory {
 
   @Override
   public List<FloorMap> floors() {
-    return List.of(floor);
+    return drawn.floors();
+  }
+
+  @Override
+  void forgetAll() {
+    super.forgetAll();
+    drawn.forget();
   }
 
   @Override
