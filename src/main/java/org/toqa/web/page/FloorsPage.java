@@ -49,8 +49,13 @@ public final class FloorsPage extends PageHandler {
 
     /** The floor's name in addresses. */
     public String segment() {
-      return URLEncoder.encode(summary.name(), StandardCharsets.UTF_8).replace("+", "%20");
+      return FloorsPage.segment(summary.name());
     }
+  }
+
+  /** A floor's name in addresses. */
+  static String segment(String floor) {
+    return URLEncoder.encode(floor, StandardCharsets.UTF_8).replace("+", "%20");
   }
 
   public static void show(HttpServletRequest request, HttpServletResponse response)
