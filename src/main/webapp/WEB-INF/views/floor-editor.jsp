@@ -43,6 +43,19 @@
     <p id="said" class="editor-said" role="status"></p>
   </section>
   <aside class="side-lists">
+    <section id="selected" data-slowest="${slowest}" data-fastest="${fastest}" data-longest-name="${longestName}" hidden>
+      <h2><span></span></h2>
+      <p id="thing-error" class="fault" role="alert"></p>
+      <div class="thing-fields">
+        <label class="thing-field wide"><fmt:message key="editor.field.name"/><input data-field="name" dir="auto" autocomplete="off"></label>
+        <label class="thing-field"><fmt:message key="editor.field.headingDegrees"/><input data-field="headingDegrees" inputmode="decimal" dir="ltr" autocomplete="off"></label>
+        <label class="thing-field"><fmt:message key="editor.field.approach"/><select data-field="approach"><option value=""><fmt:message key="editor.approach.any"/></option><c:forTokens items="east,north,west,south" delims="," var="way"><option value="${way}"><fmt:message key="editor.direction.${way}"/></option></c:forTokens></select></label>
+        <label class="thing-field"><fmt:message key="editor.field.speed"/><input data-field="speed" inputmode="decimal" dir="ltr" autocomplete="off"></label>
+        <label class="thing-field"><fmt:message key="editor.field.direction"/><select data-field="direction"><c:forTokens items="east,north,west,south" delims="," var="way"><option value="${way}"><fmt:message key="editor.direction.${way}"/></option></c:forTokens></select></label>
+        <c:forTokens items="x,y,width,height" delims="," var="field"><label class="thing-field"><fmt:message key="editor.field.${field}"/><input data-field="${field}" inputmode="decimal" dir="ltr" autocomplete="off"></label></c:forTokens>
+      </div>
+      <button type="button" id="thing-delete" class="outline secondary wide"><fmt:message key="editor.remove"/></button>
+    </section>
     <section class="publish">
       <div class="choices">
         <button type="button" id="publish"><fmt:message key="editor.publish"/></button>
@@ -59,19 +72,6 @@
         <ul class="legend"><li><span class="swatch added"></span><fmt:message key="editor.legend.added"/></li><li><span class="swatch removed"></span><fmt:message key="editor.legend.removed"/></li></ul>
         <ul id="change-list" class="things"></ul>
       </div>
-    </section>
-    <section id="selected" data-slowest="${slowest}" data-fastest="${fastest}" data-longest-name="${longestName}" hidden>
-      <h2><span></span></h2>
-      <p id="thing-error" class="fault" role="alert"></p>
-      <div class="thing-fields">
-        <label class="thing-field wide"><fmt:message key="editor.field.name"/><input data-field="name" dir="auto" autocomplete="off"></label>
-        <label class="thing-field"><fmt:message key="editor.field.headingDegrees"/><input data-field="headingDegrees" inputmode="decimal" dir="ltr" autocomplete="off"></label>
-        <label class="thing-field"><fmt:message key="editor.field.approach"/><select data-field="approach"><option value=""><fmt:message key="editor.approach.any"/></option><c:forTokens items="east,north,west,south" delims="," var="way"><option value="${way}"><fmt:message key="editor.direction.${way}"/></option></c:forTokens></select></label>
-        <label class="thing-field"><fmt:message key="editor.field.speed"/><input data-field="speed" inputmode="decimal" dir="ltr" autocomplete="off"></label>
-        <label class="thing-field"><fmt:message key="editor.field.direction"/><select data-field="direction"><c:forTokens items="east,north,west,south" delims="," var="way"><option value="${way}"><fmt:message key="editor.direction.${way}"/></option></c:forTokens></select></label>
-        <c:forTokens items="x,y,width,height" delims="," var="field"><label class="thing-field"><fmt:message key="editor.field.${field}"/><input data-field="${field}" inputmode="decimal" dir="ltr" autocomplete="off"></label></c:forTokens>
-      </div>
-      <button type="button" id="thing-delete" class="outline secondary wide"><fmt:message key="editor.remove"/></button>
     </section>
     <details open>
       <summary><fmt:message key="editor.things"/></summary>

@@ -103,7 +103,7 @@ export class Draft {
     }
     this.#isDirty = true;
     if (status === CHANGED) {
-      await this.#meet(body.detail);
+      await this.#meet();
     } else {
       this.#show('unsaved', reasonOf(status, body));
       if (status === 0 || status === 401 || status === 429 || status >= 500) {
@@ -113,8 +113,8 @@ export class Draft {
     return false;
   }
 
-  async #meet(reason) {
-    this.#show('unsaved', reason);
+  async #meet() {
+    this.#show('conflict');
     try {
       const theirs = await fetchJson(this.#path);
       this.#isConflicting = true;

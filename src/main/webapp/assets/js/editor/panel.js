@@ -27,6 +27,7 @@ const RANGES = {
 /** The fields of what is selected, and a list of all things. */
 export class Panel {
   #editor;
+  #shown; // which thing's fields
   #section = document.querySelector('#selected');
   #list = document.querySelector('#things');
   #error = document.querySelector('#thing-error');
@@ -52,6 +53,8 @@ export class Panel {
     this.#section.hidden = !selected;
     if (selected) {
       this.#fill(selected);
+    } else {
+      this.#shown = undefined;
     }
     const things = [...drawing.all()];
     document.querySelector('#no-things').hidden = things.length > 0;
@@ -64,11 +67,17 @@ export class Panel {
     );
   }
 
-  #fill({kind, thing}) {
+  /** What is being typed stays, until something else is selected. */
+  #fill({kind, index, thing}) {
+    const isOther = this.#shown !== `${kind} ${index}`;
+    this.#shown = `${kind} ${index}`;
     setText(this.#section.querySelector('h2 span'), text(`editor.kind.${kind}`));
     for (const input of this.#inputs) {
       const {field} = input.dataset;
       input.closest('.thing-field').hidden = !FIELDS[kind].includes(field);
+      if (input === document.activeElement && !isOther) {
+        continue;
+      }
       const value = thing[field];
       input.value = value === undefined || value === null ? '' : String(typeof value === 'number' ? Number(value.toFixed(6)) : value);
       input.removeAttribute('aria-invalid');
@@ -95,12 +104,12 @@ export class Panel {
     }
     const {field} = input.dataset;
     const [value, fault] = this.#valueOf(input, field, selected);
-    input.toggleAttribute('aria-invalid', fault !== undefined);
     if (fault !== undefined) {
       input.setAttribute('aria-invalid', 'true');
       setText(this.#error, fault);
       return;
     }
+    input.removeAttribute('aria-invalid');
     const thing = {...selected.thing, [field]: value};
     if (value === undefined) {
       delete thing[field];

@@ -66,6 +66,7 @@ class EditorInBrowserTest extends PagesInBrowser {
     click(page, 1.05, 1.05);
     page.locator("[data-field=name]").fill("Dock");
     page.locator("[data-field=headingDegrees]").fill("90");
+    page.locator("[data-field=headingDegrees]").press("Tab");
     page.locator("[data-field=approach]").selectOption("south");
     tool(page, "parking");
     click(page, 10.05, 1.05);
@@ -79,12 +80,12 @@ class EditorInBrowserTest extends PagesInBrowser {
     assertThat(page.locator("#save-state")).hasText("Draft saved");
     page.locator("#difference").click();
     assertThat(page.locator("#changes-summary"))
-        .hasText("New wall: 123 cells. Removed wall: 0 cells. Places and areas changed: 6.");
+        .hasText("New wall: 124 cells. Removed wall: 0 cells. Places and areas changed: 6.");
     assertFits(page, "editor", DARK, PHONE, DARK_PHONE, DESK);
     page.locator("#difference").click();
 
     FloorDrawing drawing = draft("Ümit 2").drawing();
-    assertEquals(123, drawing.walls().occupied().cardinality()); // 116 + 8 - 1
+    assertEquals(124, drawing.walls().occupied().cardinality()); // 116 + 9 - 1
     assertEquals("Dock", drawing.stations().getFirst().name());
     assertEquals(Math.PI / 2, drawing.stations().getFirst().heading());
     assertEquals(9.45, drawing.parking().getFirst().position().x(), 1e-9);
@@ -92,7 +93,7 @@ class EditorInBrowserTest extends PagesInBrowser {
     assertEquals(1.5, drawing.keepOut().getFirst().width(), 1e-9);
 
     page.locator("#publish").click();
-    assertThat(page.locator("#publishing")).containsText("New wall: 123 cells");
+    assertThat(page.locator("#publishing")).containsText("New wall: 124 cells");
     picture(page, "editor-publish");
     page.locator("#publish-sure").click();
     assertThat(page.locator("#problems-summary")).hasText("Published. The drawing is in force.");
@@ -140,7 +141,7 @@ class EditorInBrowserTest extends PagesInBrowser {
     page.keyboard().press("Enter");
     page.locator("#map").focus();
     press(page, "ArrowRight", 1); // the cursor is in the middle
-    assertThat(page.locator("#said")).hasText("6.15, 2.85 m: free");
+    assertThat(page.locator("#said")).hasText("6.15, 3.15 m: free");
     press(page, "Enter", 1);
     assertThat(page.locator("#said")).containsText("Begun here");
     press(page, "ArrowRight", 3);
