@@ -16,7 +16,7 @@
   <title><c:out value="${title}"/> · <fmt:message key="product.name"/></title>
   <link rel="icon" type="image/svg+xml" href="${root}/assets/toqa.svg">
   <link rel="stylesheet" href="${root}/assets/pico/pico.blue.min.css">
-  <c:forTokens items="base,layout,pages,tables,timeline,users,statistics,new-task,map,small-screens,api" delims="," var="part"><link rel="stylesheet" href="${root}/assets/css/${part}.css"></c:forTokens>
+  <c:forTokens items="base,layout,pages,tables,timeline,users,statistics,new-task,map,small-screens,editor,api" delims="," var="part"><link rel="stylesheet" href="${root}/assets/css/${part}.css"></c:forTokens>
   <c:if test="${not empty script or not empty caller}"><script type="module" src="${root}/assets/js/${empty script ? 'shared/live.js' : script}"></script></c:if>
   <script type="module" src="${root}/assets/js/shared/times.js"></script>
   <c:if test="${pageContext.request.queryString.contains('done=')}"><script type="module" src="${root}/assets/js/shared/told-once.js"></script></c:if>
@@ -28,7 +28,7 @@
     <c:if test="${not empty caller}">
       <fmt:message key="nav.label" var="label"/>
       <nav aria-label="${label}">
-        <c:forTokens items="task,robot,map,user,statistics" delims="," var="entry">
+        <c:forTokens items="task,robot,map,floor,user,statistics" delims="," var="entry">
           <c:set var="target" value="${entry == 'map' or entry == 'statistics' ? entry : (entry += 's')}"/>
           <a href="${root}/${target}" ${here == entry ? 'aria-current="page"' : ''}><t:icon name="${entry}"/><span><fmt:message key="nav.${entry}"/></span></a>
         </c:forTokens>

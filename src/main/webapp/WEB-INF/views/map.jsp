@@ -24,7 +24,7 @@
       <ul id="counts" class="counts" aria-label="${countsLabel}"></ul>
       <c:if test="${fn:length(floors) > 1}">
         <label class="floor"><span class="unseen"><fmt:message key="map.floor"/></span>
-          <select id="floor"><c:forEach items="${floors}" var="floor"><option dir="auto"><c:out value="${floor.name}"/></option></c:forEach></select>
+          <select id="floor"><c:forEach items="${floors}" var="floor"><option dir="auto"><c:out value="${floor.name()}"/></option></c:forEach></select>
         </label>
       </c:if>
       <div class="moment">

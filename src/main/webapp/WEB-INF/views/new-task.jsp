@@ -32,10 +32,10 @@
         <c:when test="${fn:length(floors) > 1}">
           <label for="floor"><fmt:message key="newTask.floor"/></label>
           <select id="floor" name="floor">
-            <c:forEach items="${floors}" var="f"><option value="${fn:escapeXml(f.name)}" dir="auto" ${f.name == floor.name ? 'selected' : ''}><c:out value="${f.name}"/></option></c:forEach>
+            <c:forEach items="${floors}" var="f"><option value="${fn:escapeXml(f.name())}" dir="auto" ${f.name() == floor.name() ? 'selected' : ''}><c:out value="${f.name()}"/></option></c:forEach>
           </select>
         </c:when>
-        <c:otherwise><input type="hidden" id="floor" name="floor" value="${fn:escapeXml(floor.name)}"></c:otherwise>
+        <c:otherwise><input type="hidden" id="floor" name="floor" value="${fn:escapeXml(floor.name())}"></c:otherwise>
       </c:choose>
       <c:forTokens items="start,goal" delims="," var="end">
         <c:set var="stationField" value="${end}Station"/>
@@ -45,7 +45,7 @@
             <label for="${stationField}"><fmt:message key="newTask.station"/></label>
             <select id="${stationField}" name="${stationField}">
               <option value=""><fmt:message key="newTask.station.none"/></option>
-              <c:forEach items="${floor.stations}" var="station"><option value="${fn:escapeXml(station.name)}" dir="auto" ${station.name == param[stationField] ? 'selected' : ''}><c:out value="${station.name}"/></option></c:forEach>
+              <c:forEach items="${floor.stations()}" var="station"><option value="${fn:escapeXml(station.name)}" dir="auto" ${station.name == param[stationField] ? 'selected' : ''}><c:out value="${station.name}"/></option></c:forEach>
             </select>
           </div>
           <div><label for="${end}X"><fmt:message key="newTask.x"/></label><input id="${end}X" name="${end}X" inputmode="decimal" dir="ltr" autocomplete="off" value="${fn:escapeXml(param[end += 'X'])}" aria-describedby="${end}-help"></div>
@@ -63,7 +63,7 @@
             <fmt:message key="newTask.stop" var="label"><fmt:param value="${at + 3}"/></fmt:message>
             <select name="stopStation" aria-label="${label}" aria-describedby="stop-help" ${not empty errors.stop ? 'aria-invalid="true"' : ''}>
               <option value="">${label}: <fmt:message key="newTask.station.none"/></option>
-              <c:forEach items="${floor.stations}" var="station"><option value="${fn:escapeXml(station.name)}" dir="auto" ${station.name == paramValues.stopStation[at] ? 'selected' : ''}><c:out value="${station.name}"/></option></c:forEach>
+              <c:forEach items="${floor.stations()}" var="station"><option value="${fn:escapeXml(station.name)}" dir="auto" ${station.name == paramValues.stopStation[at] ? 'selected' : ''}><c:out value="${station.name}"/></option></c:forEach>
             </select>
           </c:forEach>
         </details>
@@ -136,7 +136,7 @@
         <label><input type="radio" name="picks" value="start" checked> <fmt:message key="newTask.start"/></label>
         <label><input type="radio" name="picks" value="goal"> <fmt:message key="newTask.goal"/></label>
       </fieldset>
-      <canvas id="map" tabindex="0" role="img" aria-label="${mapLabel}" data-floor="${fn:escapeXml(floor.name)}"></canvas>
+      <canvas id="map" tabindex="0" role="img" aria-label="${mapLabel}" data-floor="${fn:escapeXml(floor.name())}"></canvas>
       <small><fmt:message key="newTask.map.hint"/></small>
       <output id="preview" class="preview" dir="auto" for="load startStation goalStation" hidden></output>
     </div>

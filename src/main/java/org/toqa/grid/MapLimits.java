@@ -1,18 +1,24 @@
 package org.toqa.grid;
 
-/** What a map file may be at most; checked before memory is taken for it. */
-final class MapLimits {
+/** What a map may be at most; checked before memory is taken for it. */
+public final class MapLimits {
   /** 17 million cells: 4096 x 4096, or 200 m x 200 m at 0.05 m. */
-  static final int MAX_CELLS = 1 << 24;
+  public static final int MAX_CELLS = 1 << 24;
 
   /** Bytes of an image or of a map in text. */
-  static final long MAX_MAP_BYTES = 64L << 20;
+  public static final long MAX_MAP_BYTES = 64L << 20;
 
   /** Bytes of a YAML file. */
   static final long MAX_YAML_BYTES = 1L << 20;
 
+  /** Metres of a cell's side. */
+  public static final double FINEST = 0.001;
+
+  /** Metres of a cell's side. */
+  public static final double COARSEST = 100;
+
   /** Metres from the frame's origin. */
-  static final double FARTHEST = 100_000;
+  public static final double FARTHEST = 100_000;
 
   private MapLimits() {}
 

@@ -25,7 +25,7 @@ public final class MapServerReader {
   static OccupancyGrid read(MapFile yamlFile) throws MapFormatException {
     YamlFields yaml = YamlFields.read(yamlFile, KEYS);
     double resolution = yaml.number("resolution");
-    if (resolution < 0.001 || resolution > 100) {
+    if (resolution < MapLimits.FINEST || resolution > MapLimits.COARSEST) {
       throw yaml.error("resolution", "metres of a cell's side, between 0.001 and 100.");
     }
     List<Double> origin = origin(yaml);

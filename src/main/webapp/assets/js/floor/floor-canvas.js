@@ -22,8 +22,9 @@ export class FloorCanvas {
   /**
    * @param draw called with (context, viewport, colours, now); true requests the next frame too
    * @param onTap called with the map point of a click, and how many metres a pixel is
+   * @param stroke as {@link listenForGestures} takes it
    */
-  constructor(canvas, draw, onTap) {
+  constructor(canvas, draw, onTap, stroke) {
     this.#canvas = canvas;
     this.#draw = draw;
     this.#readColours();
@@ -37,6 +38,7 @@ export class FloorCanvas {
       this.viewport,
       () => this.requestFrame(),
       (px, py) => onTap?.(...this.viewport.toMap(px, py), 1 / this.viewport.scale),
+      stroke,
     );
   }
 

@@ -6,10 +6,13 @@ const STEP = 60; // pixels that an arrow key moves
  *
  * @param onChange called after each movement
  * @param onTap called with the canvas point of a click that moved nothing
+ * @param stroke where one pointer draws instead of moving the viewport: its start, move and end take canvas points,
+ *     cancel nothing; start answers whether it draws
  */
-export function listenForGestures(canvas, viewport, onChange, onTap = () => {}) {
+export function listenForGestures(canvas, viewport, onChange, onTap = () => {}, stroke = undefined) {
   const pointers = new Map();
   let moved = 0;
+  let isDrawing = false;
 
   const position = (event) => [event.offsetX, event.offsetY];
   const distance = () => {
@@ -21,6 +24,12 @@ export function listenForGestures(canvas, viewport, onChange, onTap = () => {}) 
     canvas.setPointerCapture(event.pointerId);
     pointers.set(event.pointerId, position(event));
     moved = pointers.size > 1 ? Infinity : 0;
+    if (isDrawing) {
+      isDrawing = false;
+      stroke.cancel(); // two fingers move the viewport
+    } else if (stroke && pointers.size === 1 && event.button === 0) {
+      isDrawing = stroke.start(...position(event));
+    }
   });
 
   canvas.addEventListener('pointermove', (event) => {
@@ -29,6 +38,11 @@ export function listenForGestures(canvas, viewport, onChange, onTap = () => {}) 
       return;
     }
     const now = position(event);
+    if (isDrawing) {
+      pointers.set(event.pointerId, now);
+      stroke.move(...now);
+      return;
+    }
     const [dx, dy] = [now[0] - before[0], now[1] - before[1]];
     moved += Math.hypot(dx, dy);
     if (pointers.size === 1 && moved <= TAP) {
@@ -45,7 +59,15 @@ export function listenForGestures(canvas, viewport, onChange, onTap = () => {}) 
   });
 
   const end = (event) => {
-    if (pointers.delete(event.pointerId) && event.type === 'pointerup' && moved <= TAP) {
+    const isKnown = pointers.delete(event.pointerId);
+    if (isDrawing) {
+      isDrawing = false;
+      if (event.type === 'pointerup') {
+        stroke.end(...position(event));
+      } else {
+        stroke.cancel();
+      }
+    } else if (isKnown && event.type === 'pointerup' && moved <= TAP) {
       onTap(...position(event));
     }
   };
@@ -73,7 +95,7 @@ export function listenForGestures(canvas, viewport, onChange, onTap = () => {}) 
     0: () => viewport.fit(),
   };
   canvas.addEventListener('keydown', (event) => {
-    const move = event.ctrlKey || event.metaKey || event.altKey ? null : keys[event.key];
+    const move = event.defaultPrevented || event.ctrlKey || event.metaKey || event.altKey ? null : keys[event.key];
     if (move) {
       event.preventDefault();
       move();

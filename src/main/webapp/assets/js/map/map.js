@@ -1,5 +1,6 @@
 import {FloorCanvas} from '../floor/floor-canvas.js';
 import {Floor} from '../floor/floor.js';
+import {listenForZoomButtons} from '../floor/zoom-buttons.js';
 import {updateReplayLists} from '../replay/replay-lists.js';
 import {Replay} from '../replay/replay.js';
 import {subscribe} from '../shared/event-stream.js';
@@ -38,9 +39,13 @@ class MapPage {
   #margins = new Switch($('#margins'), this.#canvas);
 
   async start() {
-    this.#listenForZoomButtons();
+    listenForZoomButtons(this.#canvas);
     const select = $('#floor');
     select?.addEventListener('change', () => this.#showFloor(select.value));
+    const wanted = new URLSearchParams(location.search).get('floor');
+    if (select && [...select.options].some(({value}) => value === wanted)) {
+      select.value = wanted;
+    }
     await this.#showFloor(select?.value);
     subscribe(this.#update.bind(this), (connection) => this.#status.change(connection));
   }
@@ -182,21 +187,6 @@ class MapPage {
       this.#replay.changeFloor();
     } catch {
       this.#status.showLoadFailure();
-    }
-  }
-
-  #listenForZoomButtons() {
-    const {viewport} = this.#canvas;
-    const actions = {
-      '#zoom-in': () => viewport.zoom(1.4),
-      '#zoom-out': () => viewport.zoom(1 / 1.4),
-      '#zoom-fit': () => viewport.fit(),
-    };
-    for (const [button, zoom] of Object.entries(actions)) {
-      $(button).addEventListener('click', () => {
-        zoom();
-        this.#canvas.requestFrame();
-      });
     }
   }
 }

@@ -17,3 +17,34 @@ export async function fetchJson(path) {
   }
   return answer.json();
 }
+
+/** Of the page's forms; another one after the user has logged in again elsewhere. */
+let csrfToken = document.querySelector('input[name="_csrf"]')?.value;
+
+/**
+ * Sends something to the API; answers {status, body}, with the status 0 where the server does not answer.
+ *
+ * @param body sent as it is with that media type, else as JSON; undefined: none
+ */
+export async function send(method, path, body, mediaType = undefined) {
+  try {
+    let answer = await sendOnce(method, path, body, mediaType);
+    if (answer.status === 403) {
+      const page = await (await fetch(location.href)).text();
+      csrfToken = new DOMParser().parseFromString(page, 'text/html').querySelector('input[name="_csrf"]')?.value;
+      answer = await sendOnce(method, path, body, mediaType);
+    }
+    const content = await answer.text();
+    return {status: answer.status, body: content === '' ? undefined : JSON.parse(content)};
+  } catch {
+    return {status: 0, body: undefined};
+  }
+}
+
+function sendOnce(method, path, body, mediaType) {
+  return fetch(address(path), {
+    method,
+    headers: {accept: 'application/json', 'content-type': mediaType ?? 'application/json', 'X-CSRF-Token': csrfToken ?? ''},
+    body: mediaType || body === undefined ? body : JSON.stringify(body),
+  });
+}

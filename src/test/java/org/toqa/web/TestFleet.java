@@ -35,6 +35,7 @@ import org.toqa.wording.Sentence;
 /** A fleet in memory: it does what it is told at once, and drives nothing by itself. */
 public final class TestFleet extends TasksInMemory {
   private final Schedules schedules;
+  private final FloorsInMemory drawn = new FloorsInMemory(this);
 
   /**
    * @param accountId the id of the user who has a name
@@ -46,7 +47,7 @@ public final class TestFleet extends TasksInMemory {
 
   @Override
   public FloorEditing floorEditing() {
-    throw new IllegalStateException("not yet");
+    return drawn;
   }
 
   @Override
@@ -215,7 +216,13 @@ public final class TestFleet extends TasksInMemory {
 
   @Override
   public List<FloorMap> floors() {
-    return List.of(floor);
+    return drawn.floors();
+  }
+
+  @Override
+  void forgetAll() {
+    super.forgetAll();
+    drawn.forget();
   }
 
   @Override

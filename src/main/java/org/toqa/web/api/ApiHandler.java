@@ -44,6 +44,19 @@ public abstract class ApiHandler {
   }
 
   /**
+   * Reads a body that may have a drawing of a floor.
+   *
+   * @throws Problem.ProblemException as {@link #readBody}
+   */
+  static <T> T readLargeBody(HttpServletRequest request, Function<JsonFields, T> reader)
+      throws IOException {
+    FieldErrors errors = new FieldErrors();
+    T read = reader.apply(JsonFields.of(request, errors, DrawingReader.MAX_BYTES));
+    throwIfAny(errors);
+    return read;
+  }
+
+  /**
    * @throws Problem.ProblemException when the caller means another version than this
    */
   static void requireVersion(Version version, HttpServletRequest request) {

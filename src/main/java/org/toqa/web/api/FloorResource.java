@@ -8,15 +8,56 @@ import java.util.concurrent.CompletionStage;
 import org.jspecify.annotations.Nullable;
 import org.toqa.fleet.Answer;
 import org.toqa.fleet.Hold;
+import org.toqa.grid.FloorMap;
 import org.toqa.web.FleetAnswers;
+import org.toqa.web.FloorSummary;
 import org.toqa.web.RequestPath;
 import org.toqa.web.Texts;
 import org.toqa.web.access.Caller;
 import org.toqa.web.input.Fields;
 import org.toqa.wording.Phrase;
 
-/** A floor: whether its robots are on hold. */
+/** A floor, and commands to it. */
 public final class FloorResource extends ApiHandler {
+
+  /** The fields are those of {@link FloorSummary}. */
+  private record DrawnFloorJson(
+      String name,
+      String site,
+      FloorSummary.State state,
+      int robots,
+      int openTasks,
+      DrawingJson drawing) {}
+
+  public static void get(HttpServletRequest request, HttpServletResponse response)
+      throws IOException {
+    FloorMap floor = FloorFilesResource.floorOfPath(request);
+    FloorSummary now = FloorSummary.of(floor, services(request).fleet().snapshots().latest());
+    Json.send(
+        request,
+        response,
+        200,
+        new DrawnFloorJson(
+            now.name(),
+            now.site(),
+            now.state(),
+            now.robots(),
+            now.openTasks(),
+            DrawingJson.of(floor.drawing())));
+  }
+
+  public static void remove(HttpServletRequest request, HttpServletResponse response)
+      throws IOException {
+    String floor = RequestPath.parameter(request, "floor");
+    acceptedValue(
+        request,
+        FleetAnswers.await(
+            services(request)
+                .fleet()
+                .floorEditing()
+                .removeFloor(floor, Caller.of(request).name())));
+    response.setStatus(HttpServletResponse.SC_NO_CONTENT);
+  }
 
   /**
    * @param hold null while its robots may drive

@@ -51,15 +51,25 @@ final class JsonFields implements Fields {
    * @throws Problem.ProblemException when it is not one JSON object of acceptable size
    */
   static JsonFields of(HttpServletRequest request, FieldErrors errors) throws IOException {
+    return of(request, errors, MAX_BODY_BYTES);
+  }
+
+  /**
+   * Reads a body that may be larger than others.
+   *
+   * @throws Problem.ProblemException when it is not one JSON object of acceptable size
+   */
+  static JsonFields of(HttpServletRequest request, FieldErrors errors, int maxBytes)
+      throws IOException {
     Texts texts = Texts.of(request);
     String mediaType = request.getContentType();
     if (mediaType == null
         || !mediaType.split(";", 2)[0].strip().equalsIgnoreCase("application/json")) {
       throw Problem.of(415, texts.get("problem.mediaType")).exception();
     }
-    byte[] body = request.getInputStream().readNBytes(MAX_BODY_BYTES + 1);
-    if (body.length > MAX_BODY_BYTES) {
-      throw Problem.of(413, texts.get("problem.bodySize", MAX_BODY_BYTES / 1024)).exception();
+    byte[] body = request.getInputStream().readNBytes(maxBytes + 1);
+    if (body.length > maxBytes) {
+      throw Problem.of(413, texts.get("problem.bodySize", maxBytes / 1024)).exception();
     }
     JsonNode root = parse(body, texts);
     if (!root.isObject()) {
@@ -118,6 +128,40 @@ final class JsonFields implements Fields {
                     ? Optional.of(value.values().stream().map(JsonNode::stringValue).toList())
                     : this.<List<String>>refuseType(name, "error.type.texts"))
         .orElse(List.of());
+  }
+
+  /** A list of whole numbers; empty where there is none. */
+  List<Integer> integers(String name, int max) {
+    Optional<JsonNode> list = value(name);
+    if (list.isPresent()
+        && !(list.get().isArray() && list.get().values().stream().allMatch(JsonNode::isInt))) {
+      return this.<List<Integer>>refuseType(name, "error.type.integers").orElse(List.of());
+    }
+    if (list.isPresent() && list.get().size() > max) {
+      errors.add(path(name), texts.get("error.listLong", path(name), max));
+      return List.of();
+    }
+    return list.map(numbers -> numbers.values().stream().map(JsonNode::intValue).toList())
+        .orElse(List.of());
+  }
+
+  /** A list of objects; empty where there is none. */
+  List<JsonFields> objects(String name, int max) {
+    Optional<JsonNode> list = value(name);
+    if (list.isPresent()
+        && !(list.get().isArray() && list.get().values().stream().allMatch(JsonNode::isObject))) {
+      return this.<List<JsonFields>>refuseType(name, "error.type.objects").orElse(List.of());
+    }
+    if (list.isPresent() && list.get().size() > max) {
+      errors.add(path(name), texts.get("error.listLong", path(name), max));
+      return List.of();
+    }
+    List<JsonFields> objects = new ArrayList<>();
+    for (JsonNode item : list.map(JsonNode::values).orElse(List.of())) {
+      String at = path(name) + "." + objects.size() + ".";
+      objects.add(new JsonFields(item, at, texts, errors));
+    }
+    return objects;
   }
 
   /** It must be there. */

@@ -17,6 +17,7 @@ import org.toqa.web.input.LineFaults;
  * An error of the API as RFC 9457 has it.
  *
  * @param detail a sentence that says what to do
+ * @param problems of a drawing that cannot be published
  * @param needs what must be said too, if that is what is missing
  * @param errors one for each field at fault, if fields are at fault
  */
@@ -27,6 +28,7 @@ public record Problem(
     int status,
     String detail,
     List<FieldProblem> errors,
+    List<MapProblemJson> problems,
     @Nullable Question needs) {
 
   /**
@@ -53,11 +55,15 @@ public record Problem(
   }
 
   public static Problem of(int status, String detail) {
-    return new Problem("about:blank", title(status), status, detail, List.of(), null);
+    return new Problem("about:blank", title(status), status, detail, List.of(), List.of(), null);
   }
 
   static Problem conflict(String detail, @Nullable Question needs) {
-    return new Problem("about:blank", title(409), 409, detail, List.of(), needs);
+    return new Problem("about:blank", title(409), 409, detail, List.of(), List.of(), needs);
+  }
+
+  static Problem conflict(String detail, List<MapProblemJson> problems) {
+    return new Problem("about:blank", title(409), 409, detail, List.of(), problems, null);
   }
 
   static Problem of(FieldErrors errors) {
@@ -69,6 +75,7 @@ public record Problem(
         errors.sentences().entrySet().stream()
             .map(e -> new FieldProblem(null, e.getKey(), e.getValue()))
             .toList(),
+        List.of(),
         null);
   }
 
@@ -86,6 +93,7 @@ public record Problem(
                         Objects.requireNonNullElse(fault.column(), ""),
                         fault.sentence()))
             .toList(),
+        List.of(),
         null);
   }
 

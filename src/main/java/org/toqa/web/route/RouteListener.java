@@ -18,8 +18,8 @@ import org.toqa.web.page.ShownOnce;
  * every container calls it and lets it register servlets (Servlet specification 4.4).
  */
 public final class RouteListener implements ServletContextListener {
-  /** Bytes; more than a table may have: the page says what is too large. */
-  private static final long MAX_MULTIPART_BYTES = 10 * 1024 * 1024;
+  /** Bytes; more than a table or a map may have: the page says what is too large. */
+  private static final long MAX_MULTIPART_BYTES = 40 * 1024 * 1024;
 
   /** Bytes of a file that are kept in memory. */
   private static final int MULTIPART_THRESHOLD_BYTES = 1024 * 1024;

@@ -22,7 +22,10 @@ import org.toqa.web.RequestPath;
 import org.toqa.web.access.Permission;
 import org.toqa.web.api.BatteryResource;
 import org.toqa.web.api.FleetResource;
+import org.toqa.web.api.FloorDraftResource;
+import org.toqa.web.api.FloorFilesResource;
 import org.toqa.web.api.FloorResource;
+import org.toqa.web.api.FloorsResource;
 import org.toqa.web.api.HealthResource;
 import org.toqa.web.api.HistoryResource;
 import org.toqa.web.api.ImportResource;
@@ -54,7 +57,9 @@ import org.toqa.web.page.ApiDocumentPage;
 import org.toqa.web.page.EditTaskPage;
 import org.toqa.web.page.FirstStartPage;
 import org.toqa.web.page.FleetForms;
+import org.toqa.web.page.FloorEditorPage;
 import org.toqa.web.page.FloorForms;
+import org.toqa.web.page.FloorsPage;
 import org.toqa.web.page.ForgottenPasswordPage;
 import org.toqa.web.page.HistoryPage;
 import org.toqa.web.page.ImportPage;
@@ -136,6 +141,10 @@ public final class Routes {
           post("/robots/{name}/remove", MANAGER, RobotPage::remove),
           post("/fleet/pause", CLERK, FleetForms::pause).with(URGENT),
           post("/fleet/resume", MANAGER, FleetForms::resume),
+          get("/floors", CLERK, FloorsPage::show),
+          post("/floors", MANAGER, FloorsPage::add).with(MULTIPART),
+          get("/floors/{floor}/edit", MANAGER, FloorEditorPage::show),
+          post("/floors/{floor}/delete", MANAGER, FloorsPage::remove),
           post("/floors/{floor}/hold", MANAGER, FloorForms::hold).with(URGENT),
           post("/floors/{floor}/resume", MANAGER, FloorForms::resume),
           post("/floors/{floor}/allocator", MANAGER, FloorForms::allocator),
@@ -227,6 +236,17 @@ public final class Routes {
           get("/api/v1/fleet", CLERK, FleetResource::get),
           post("/api/v1/fleet/pause", CLERK, FleetResource::pause).with(URGENT),
           post("/api/v1/fleet/resume", MANAGER, FleetResource::resume),
+          get("/api/v1/floors", CLERK, FloorsResource::list),
+          post("/api/v1/floors", MANAGER, FloorsResource::add),
+          post("/api/v1/floors/read", MANAGER, FloorFilesResource::read),
+          get("/api/v1/floors/{floor}", CLERK, FloorResource::get),
+          delete("/api/v1/floors/{floor}", MANAGER, FloorResource::remove),
+          get("/api/v1/floors/{floor}/export", CLERK, FloorFilesResource::export),
+          get("/api/v1/floors/{floor}/draft", CLERK, FloorDraftResource::get),
+          put("/api/v1/floors/{floor}/draft", MANAGER, FloorDraftResource::save),
+          delete("/api/v1/floors/{floor}/draft", MANAGER, FloorDraftResource::discard),
+          post("/api/v1/floors/{floor}/draft/check", MANAGER, FloorDraftResource::check),
+          post("/api/v1/floors/{floor}/draft/publish", MANAGER, FloorDraftResource::publish),
           post("/api/v1/floors/{floor}/hold", MANAGER, FloorResource::hold).with(URGENT),
           post("/api/v1/floors/{floor}/resume", MANAGER, FloorResource::resume),
           post("/api/v1/floors/{floor}/allocator", MANAGER, FloorResource::allocator));

@@ -47,6 +47,11 @@ enum Attack {
     return text.length() <= characters && !hasControlCharacter();
   }
 
+  /** Whether it can be one segment of an address. */
+  boolean isOneSegment() {
+    return text.indexOf('/') < 0 && text.indexOf('\\') < 0;
+  }
+
   /** Whether it is as long as a password must be and may be. */
   boolean isPassword() {
     return text.length() >= 10 && text.length() <= 200;

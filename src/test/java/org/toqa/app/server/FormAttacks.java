@@ -45,7 +45,8 @@ final class FormAttacks {
           "/robots/{name}/in-service",
           "/robots/{name}/home",
           "/robots/{name}/resume",
-          "/floors/{floor}/resume");
+          "/floors/{floor}/resume",
+          "/floors/{floor}/delete");
 
   /** Attacked cell by cell. */
   private static final Set<String> ELSEWHERE = Set.of("/tasks/import");

@@ -1,6 +1,7 @@
 package org.toqa.app.server;
 
 import static org.toqa.app.server.Verdict.CONFLICT;
+import static org.toqa.app.server.Verdict.NAME_IN_ADDRESS;
 import static org.toqa.app.server.Verdict.NAME_OF_100;
 import static org.toqa.app.server.Verdict.NAME_OF_64;
 import static org.toqa.app.server.Verdict.PASSWORD;
@@ -105,6 +106,17 @@ final class FormCases {
             "/floors/{floor}/allocator",
             Map.of("allocator", "zones"),
             Map.of("allocator", REFUSED)),
+        FormCase.of(
+            "floors",
+            "/floors",
+            Map.of("name", "Hall{n}", "width", "3", "height", "3", "resolution", "1"),
+            Map.of("name", NAME_IN_ADDRESS)),
+        FormCase.of(
+                "floors",
+                "/floors",
+                Map.of("name", "{floor}", "width", "3", "height", "3", "resolution", "1"),
+                and(refused("width", "height", "resolution"), Map.of("file", TAKEN)))
+            .answeredWith(422), // that name is taken
         FormCase.of("schedules", "/schedules/{id}/delete", Map.of(), Map.of("version", CONFLICT)),
         FormCase.of(
             "robots",

@@ -2,12 +2,15 @@ package org.toqa.app.server;
 
 import static org.toqa.app.server.Verdict.FORBIDDEN;
 import static org.toqa.app.server.Verdict.GONE;
+import static org.toqa.app.server.Verdict.NAME_IN_ADDRESS;
 import static org.toqa.app.server.Verdict.NAME_OF_100;
+import static org.toqa.app.server.Verdict.NAME_OF_64;
 import static org.toqa.app.server.Verdict.PASSWORD;
 import static org.toqa.app.server.Verdict.REFUSED;
 import static org.toqa.app.server.Verdict.TAKEN;
 import static org.toqa.app.server.Verdict.UNKNOWN_USER;
 
+import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import org.toqa.web.WebTestServer;
@@ -17,6 +20,15 @@ final class OrderCases {
   private static final String TASK =
       """
       {"name":"Box","load":2,"start":{"station":"Goods-in 1"},"goal":{"station":"Mill"}}\
+      """;
+
+  private static final String DRAWING =
+      """
+      {"width":9,"height":9,"resolution":1,"origin":{"x":0,"y":0},
+       "stations":[{"name":"A","x":1,"y":1,"approach":"east"}],
+       "parking":[{"name":"P","x":2,"y":1,"approach":"east"}],
+       "charging":[{"name":"C","x":3,"y":1,"approach":"east"}],
+       "oneWay":[{"x":1,"y":1,"width":1,"height":1,"direction":"east"}]}\
       """;
 
   /**
@@ -110,6 +122,19 @@ final class OrderCases {
             Map.of("/name", REFUSED, "/password", PASSWORD, "/role", REFUSED, "/email", REFUSED),
             201),
         post(
+            "floors",
+            "{'name':'Floor{n}','width':3,'height':3,'resolution':1}",
+            Map.of("/name", NAME_IN_ADDRESS),
+            201),
+        post("floors", "{'name':'{floor}','drawing':" + DRAWING + "}", drawing(), 422), // twice
+        new OrderCase( // of a draft that is another one by now
+            "PUT",
+            "floors/{floor}/draft",
+            json("{'revision':999999,'drawing':" + DRAWING + "}"),
+            drawing(),
+            412),
+        post("floors/{floor}/draft/check", "{'drawing':" + DRAWING + "}", drawing(), 200),
+        post(
             "floors/{floor}/allocator",
             "{'allocator':'zones'}",
             Map.of("/allocator", REFUSED),
@@ -139,6 +164,15 @@ final class OrderCases {
             403)); // made in a browser only
   }
 
+  private static Map<String, Verdict> drawing() {
+    Map<String, Verdict> words = new HashMap<>(Map.of("/drawing/oneWay/0/direction", REFUSED));
+    for (String kind : List.of("stations", "parking", "charging")) {
+      words.put("/drawing/" + kind + "/0/name", NAME_OF_64);
+      words.put("/drawing/" + kind + "/0/approach", REFUSED);
+    }
+    return words;
+  }
+
   private static Map<String, Verdict> task(String at) {
     return Map.of(
         at + "/name", NAME_OF_100,
@@ -159,7 +193,7 @@ final class OrderCases {
   }
 
   private static Map<String, Verdict> and(Map<String, Verdict> first, Map<String, Verdict> more) {
-    Map<String, Verdict> both = new java.util.HashMap<>(first);
+    Map<String, Verdict> both = new HashMap<>(first);
     both.putAll(more);
     return both;
   }

@@ -42,7 +42,7 @@ final class QueryAttacks {
   private static final Map<String, Map<String, Verdict>> API =
       Map.of(
           "/api/v1/map",
-          Map.of("floor", NOT_FOUND),
+          Map.of("floor", NOT_FOUND, "at", REFUSED),
           "/api/v1/path",
           Map.of("floor", NOT_FOUND, "start", REFUSED, "goal", REFUSED),
           "/api/v1/events",
@@ -69,6 +69,8 @@ final class QueryAttacks {
           Map.of("floor", NOT_FOUND, "from", REFUSED, "until", REFUSED),
           "/api/v1/statistics",
           PERIOD,
+          "/api/v1/floors/lab/export",
+          Map.of("format", REFUSED),
           "/api/v1/statistics/series.csv",
           PERIOD,
           "/api/v1/statistics/robots.csv",
@@ -129,10 +131,14 @@ final class QueryAttacks {
     run.check(where, answer);
   }
 
-  /** The words in addresses of the API that are attacked, by path. */
+  /** The words in addresses of the API that are attacked, by route. */
   static Map<String, Set<String>> attacked() {
     Map<String, Set<String>> attacked = new TreeMap<>();
-    API.forEach((path, words) -> attacked.put(path, new TreeSet<>(words.keySet())));
+    API.forEach(
+        (path, words) ->
+            attacked.put(
+                Routes.find(path).orElseThrow().routes().getFirst().path(),
+                new TreeSet<>(words.keySet())));
     return attacked;
   }
 

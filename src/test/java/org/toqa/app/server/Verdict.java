@@ -33,6 +33,9 @@ enum Verdict {
   NAME_OF_100,
   NAME_OF_64,
 
+  /** It is such a name of 64 characters that can stand in an address. */
+  NAME_IN_ADDRESS,
+
   /** It is a password that nobody guesses if it is as long as one. */
   PASSWORD;
 
@@ -52,6 +55,8 @@ enum Verdict {
       case TAKEN -> good;
       case NAME_OF_100 -> attack.isNameWithin(100) ? good : 422;
       case NAME_OF_64 -> attack.isNameWithin(64) ? good : 422;
+      case NAME_IN_ADDRESS ->
+          attack.isNameWithin(64) && attack.isOneSegment() ? good : 422;
       case PASSWORD -> attack.isPassword() ? good : 422;
     };
   }

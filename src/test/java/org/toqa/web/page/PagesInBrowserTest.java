@@ -34,6 +34,8 @@ class PagesInBrowserTest extends PagesInBrowser {
           "tasks?imported=2&state=open&sort=-load",
           "tasks/2",
           "robots",
+          "floors",
+          "floors/hall/edit",
           "robots/r5",
           "users",
           "users/1",

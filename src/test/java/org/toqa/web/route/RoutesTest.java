@@ -29,8 +29,8 @@ class RoutesTest {
   }
 
   @Test
-  void onlyTheImportTakesAFile() {
-    assertEquals(Set.of("/tasks/import"), RouteListener.multipartPatterns());
+  void onlyTablesAndMapsAreTakenAsFiles() {
+    assertEquals(Set.of("/floors", "/tasks/import"), RouteListener.multipartPatterns());
   }
 
   @Test

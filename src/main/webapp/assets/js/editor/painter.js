@@ -1,0 +1,263 @@
+import {drawGridLines} from '../floor/grid-lines.js';
+import {drawLabel} from '../floor/labels.js';
+import {drawPlaces} from '../floor/places.js';
+import {rowsOf} from '../floor/runs.js';
+import {text} from '../shared/texts.js';
+import {PLACE_KINDS, isPlace} from './drawing.js';
+
+/** Colour and filling of each kind of area. */
+const AREAS = {
+  keepOut: 'state-error',
+  speedLimits: 'map-goal',
+  oneWay: 'state-driving',
+};
+
+const TURNS = {east: 0, north: -Math.PI / 2, west: Math.PI, south: Math.PI / 2};
+const ARROW = 26; // pixels between two arrows of a one-way area
+
+/** Draws what is edited: the drawing, what is selected, what the tool would do, the cursor. */
+export class Painter {
+  #walls = new WallPicture();
+
+  /** @param cells indices of those that have changed; undefined: all may have */
+  markChanged(cells) {
+    this.#walls.markChanged(cells);
+  }
+
+  /**
+   * @param scene {drawing, things, selected, shape, ends, cursor, marks, difference}
+   */
+  draw(context, viewport, colours, scene) {
+    const {drawing} = scene;
+    const {width, height, resolution, origin} = drawing.grid;
+    const [left, top] = viewport.toScreen(origin.x, origin.y + height * resolution);
+    const cell = resolution * viewport.scale;
+    const frame = {left, top, cell, width, height};
+    context.fillStyle = colours['map-free'];
+    context.fillRect(left, top, width * cell, height * cell);
+    if (cell >= 8) {
+      drawGridLines(context, viewport, colours, frame);
+    }
+    this.#drawAreas(context, viewport, colours, scene);
+    context.imageSmoothingEnabled = false;
+    const walls = this.#walls.picture(drawing, colours['map-wall']);
+    context.drawImage(walls, left, top, width * cell, height * cell);
+    context.strokeStyle = colours['map-wall'];
+    context.lineWidth = 1;
+    context.strokeRect(left - 0.5, top - 0.5, width * cell + 1, height * cell + 1);
+    scene.difference?.draw(context, viewport, colours, frame);
+    drawPlaces(context, viewport, colours, scene.things, resolution);
+    this.#drawHeadings(context, viewport, colours, scene);
+    this.#drawShape(context, colours, frame, scene.shape);
+    this.#drawEnds(context, viewport, colours, scene);
+    this.#drawSelection(context, viewport, colours, scene);
+    this.#drawCursor(context, colours, frame, scene.cursor);
+    drawMarks(context, viewport, colours, scene.marks);
+  }
+
+  #drawAreas(context, viewport, colours, {things}) {
+    for (const [kind, colour] of Object.entries(AREAS)) {
+      for (const area of things[kind]) {
+        const box = boxOnScreen(viewport, area);
+        drawArea(context, colours, box, kind, colours[colour]);
+        if (kind === 'oneWay') {
+          drawArrows(context, box, area.direction, colours[colour]);
+        } else if (kind === 'speedLimits' && box.width > 40 && box.height > 16) {
+          const words = text('editor.speed', String(area.speed));
+          drawLabel(context, colours, words, box.x + box.width / 2, box.y + box.height / 2, 'middle', colours[colour]);
+        }
+      }
+    }
+  }
+
+  /** How a robot stands at a place, and from where it comes. */
+  #drawHeadings(context, viewport, colours, {drawing, things}) {
+    const half = Math.max(6, 0.5 * drawing.grid.resolution * viewport.scale);
+    for (const place of PLACE_KINDS.flatMap((kind) => things[kind])) {
+      const [x, y] = viewport.toScreen(place.x, place.y);
+      if (place.headingDegrees !== undefined && place.headingDegrees !== null) {
+        drawArrow(context, x, y, -place.headingDegrees * Math.PI / 180, half * 1.4, colours['map-text']);
+      }
+      if (place.approach) {
+        const angle = TURNS[place.approach];
+        const [dx, dy] = [Math.cos(angle), Math.sin(angle)];
+        drawArrow(context, x - dx * half * 2.4, y - dy * half * 2.4, angle, half, colours['map-goal']);
+      }
+    }
+  }
+
+  #drawShape(context, colours, {left, top, cell}, shape) {
+    if (!shape) {
+      return;
+    }
+    context.globalAlpha = 0.6;
+    context.fillStyle = colours[shape.isErasing ? 'state-error' : AREAS[shape.kind] ?? 'map-wall'];
+    for (const {column, row} of shape.cells ?? []) {
+      context.fillRect(left + column * cell, top + row * cell, cell, cell);
+    }
+    if (shape.box) {
+      const {left: from, right, top: first, bottom} = shape.box;
+      context.globalAlpha = 0.35;
+      context.fillRect(left + from * cell, top + first * cell, (right - from + 1) * cell, (bottom - first + 1) * cell);
+    }
+    context.globalAlpha = 1;
+  }
+
+  #drawEnds(context, viewport, colours, {drawing, ends}) {
+    if (!ends) {
+      return;
+    }
+    context.strokeStyle = colours['map-goal'];
+    context.lineWidth = 2.5;
+    context.setLineDash([7, 5]);
+    context.beginPath();
+    for (const end of ends) {
+      const {x, y} = drawing.centre(end);
+      context.lineTo(...viewport.toScreen(x, y));
+    }
+    context.stroke();
+    context.setLineDash([]);
+  }
+
+  #drawSelection(context, viewport, colours, {drawing, selected}) {
+    if (!selected) {
+      return;
+    }
+    const {kind, thing} = selected;
+    const half = drawing.grid.resolution / 2;
+    const box = boxOnScreen(viewport, isPlace(kind) ? {x: thing.x - half, y: thing.y - half, width: 2 * half, height: 2 * half} : thing);
+    context.strokeStyle = colours['state-driving'];
+    context.lineWidth = 3;
+    context.strokeRect(box.x - 3, box.y - 3, box.width + 6, box.height + 6);
+  }
+
+  #drawCursor(context, colours, {left, top, cell}, cursor) {
+    if (cursor) {
+      const size = Math.max(cell, 6);
+      const [x, y] = [left + cursor.column * cell, top + cursor.row * cell];
+      context.lineWidth = 4;
+      context.strokeStyle = colours['map-halo'];
+      context.strokeRect(x, y, size, size);
+      context.lineWidth = 2;
+      context.strokeStyle = colours['map-obstacle'];
+      context.strokeRect(x, y, size, size);
+    }
+  }
+}
+
+/** The walls, one pixel a cell; after a stroke only its cells are drawn anew. */
+class WallPicture {
+  #canvas;
+  #colour;
+  #changed = new Set();
+
+  markChanged(cells) {
+    if (cells === undefined) {
+      this.#canvas = undefined;
+    } else {
+      cells.forEach((cell) => this.#changed.add(cell));
+    }
+  }
+
+  picture(drawing, colour) {
+    const {width, height} = drawing.grid;
+    if (!this.#canvas || this.#colour !== colour) {
+      this.#canvas = new OffscreenCanvas(width, height);
+      this.#colour = colour;
+      const context = this.#canvas.getContext('2d');
+      context.fillStyle = colour;
+      for (const {column, row, count} of rowsOf(drawing.toJson().occupied, width)) {
+        context.fillRect(column, row, count, 1);
+      }
+    } else {
+      this.#update(drawing, width);
+    }
+    this.#changed.clear();
+    return this.#canvas;
+  }
+
+  #update(drawing, width) {
+    const context = this.#canvas.getContext('2d');
+    context.fillStyle = this.#colour;
+    for (const index of this.#changed) {
+      const [x, y] = [index % width, Math.floor(index / width)];
+      if (drawing.walls[index]) {
+        context.fillRect(x, y, 1, 1);
+      } else {
+        context.clearRect(x, y, 1, 1);
+      }
+    }
+  }
+}
+
+export function boxOnScreen(viewport, {x, y, width, height}) {
+  const [left, top] = viewport.toScreen(x, y + height);
+  return {x: left, y: top, width: width * viewport.scale, height: height * viewport.scale};
+}
+
+function drawArea(context, colours, {x, y, width, height}, kind, colour) {
+  context.save();
+  context.beginPath();
+  context.rect(x, y, width, height);
+  context.globalAlpha = 0.16;
+  context.fillStyle = colour;
+  context.fill();
+  context.globalAlpha = 0.9;
+  context.strokeStyle = colour;
+  context.lineWidth = 1.5;
+  context.setLineDash(kind === 'speedLimits' ? [6, 4] : []);
+  context.stroke();
+  if (kind === 'keepOut') {
+    context.clip();
+    context.globalAlpha = 0.5;
+    context.setLineDash([]);
+    context.beginPath();
+    for (let offset = -height; offset < width; offset += 9) {
+      context.moveTo(x + offset, y + height);
+      context.lineTo(x + offset + height, y);
+    }
+    context.stroke();
+  }
+  context.restore();
+}
+
+function drawArrows(context, {x, y, width, height}, direction, colour) {
+  const columns = Math.max(1, Math.floor(width / ARROW));
+  const rows = Math.max(1, Math.floor(height / ARROW));
+  if (columns * rows > 2000) {
+    return;
+  }
+  const size = Math.min(9, width / 2, height / 2);
+  for (let column = 0; column < columns; column++) {
+    for (let row = 0; row < rows; row++) {
+      drawArrow(context, x + (column + 0.5) * width / columns, y + (row + 0.5) * height / rows, TURNS[direction], size, colour);
+    }
+  }
+}
+
+/** Round its middle. */
+function drawArrow(context, x, y, angle, size, colour) {
+  context.save();
+  context.translate(x, y);
+  context.rotate(angle);
+  context.beginPath();
+  context.moveTo(-size, 0);
+  context.lineTo(size, 0);
+  context.moveTo(size * 0.4, -size * 0.5);
+  context.lineTo(size, 0);
+  context.lineTo(size * 0.4, size * 0.5);
+  context.strokeStyle = colour;
+  context.lineWidth = 2;
+  context.stroke();
+  context.restore();
+}
+
+function drawMarks(context, viewport, colours, marks) {
+  context.strokeStyle = colours['state-error'];
+  context.lineWidth = 3;
+  for (const {x, y} of marks) {
+    context.beginPath();
+    context.arc(...viewport.toScreen(x, y), 14, 0, 2 * Math.PI);
+    context.stroke();
+  }
+}

@@ -1,0 +1,350 @@
+package org.toqa.web.page;
+
+import static com.microsoft.playwright.assertions.PlaywrightAssertions.assertThat;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import com.google.gson.JsonArray;
+import com.google.gson.JsonObject;
+import com.microsoft.playwright.Browser;
+import com.microsoft.playwright.CDPSession;
+import com.microsoft.playwright.Locator;
+import com.microsoft.playwright.Mouse;
+import com.microsoft.playwright.Page;
+import com.microsoft.playwright.Route;
+import com.microsoft.playwright.options.BoundingBox;
+import com.microsoft.playwright.options.FilePayload;
+import java.awt.image.BufferedImage;
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.util.List;
+import java.util.function.Predicate;
+import javax.imageio.ImageIO;
+import org.junit.jupiter.api.Test;
+import org.toqa.fleet.FloorDraft;
+import org.toqa.fleet.RobotView;
+import org.toqa.grid.FloorDrawing;
+import org.toqa.grid.FloorMap;
+import org.toqa.web.WebTestServer;
+
+/** The editor of floors in a real browser: by mouse, by keyboard, by touch, and by two at once. */
+class EditorInBrowserTest extends PagesInBrowser {
+  @Override
+  List<RobotView> robots() {
+    return List.of();
+  }
+
+  @Test
+  void aFloorIsDrawnFromNothingByMouse() {
+    Page page = loggedIn(WebTestServer.MANAGER, DESK, "floors");
+    page.locator("#name").fill("Ümit 2");
+    page.locator("#width").fill("12");
+    page.locator("#height").fill("6");
+    page.locator("#resolution").fill("0.3");
+    button(page, "Add floor").click();
+    assertThat(page.locator("tbody tr")).hasCount(2);
+    picture(page, "floors");
+    page.locator("tbody tr").nth(1).getByText("Edit").click();
+    assertThat(page.locator("#save-state")).hasText("Nothing changed yet");
+
+    tool(page, "rectangle");
+    drag(page, 0.15, 0.15, 11.85, 5.85);
+    assertThat(page.locator("#said")).hasText("116 cells became wall.");
+    tool(page, "line");
+    drag(page, 6.15, 5.55, 6.15, 3.15);
+    tool(page, "erase");
+    click(page, 6.15, 4.05);
+    tool(page, "keepOut");
+    drag(page, 7.5, 1.5, 8.7, 2.7);
+    tool(page, "speedLimits");
+    drag(page, 1.5, 3.3, 4.5, 4.5);
+    page.locator("[data-field=speed]").fill("0.3");
+    page.locator("[data-field=speed]").press("Tab");
+    tool(page, "oneWay");
+    drag(page, 1.5, 2.1, 4.5, 2.7);
+    page.locator("[data-field=direction]").selectOption("west");
+    tool(page, "stations");
+    click(page, 1.05, 1.05);
+    page.locator("[data-field=name]").fill("Dock");
+    page.locator("[data-field=headingDegrees]").fill("90");
+    page.locator("[data-field=headingDegrees]").press("Tab");
+    page.locator("[data-field=approach]").selectOption("south");
+    tool(page, "parking");
+    click(page, 10.05, 1.05);
+    tool(page, "charging");
+    click(page, 10.05, 5.05);
+    tool(page, "measure");
+    drag(page, 1.05, 1.05, 4.05, 5.05);
+    assertThat(page.locator("#said")).hasText("4.92 m");
+    tool(page, "select");
+    drag(page, 10.05, 1.05, 9.45, 1.35);
+    assertThat(page.locator("#save-state")).hasText("Draft saved");
+    page.locator("#difference").click();
+    assertThat(page.locator("#changes-summary"))
+        .hasText("New wall: 124 cells. Removed wall: 0 cells. Places and areas changed: 6.");
+    assertFits(page, "editor", DARK, PHONE, DARK_PHONE, DESK);
+    page.locator("#difference").click();
+
+    FloorDrawing drawing = draft("Ümit 2").drawing();
+    assertEquals(124, drawing.walls().occupied().cardinality()); // 116 + 9 - 1
+    assertEquals("Dock", drawing.stations().getFirst().name());
+    assertEquals(Math.PI / 2, drawing.stations().getFirst().heading());
+    assertEquals(9.45, drawing.parking().getFirst().position().x(), 1e-9);
+    assertEquals(0.3, drawing.speedLimits().getFirst().speed());
+    assertEquals(1.5, drawing.keepOut().getFirst().width(), 1e-9);
+
+    page.locator("#publish").click();
+    assertThat(page.locator("#publishing")).containsText("New wall: 124 cells");
+    picture(page, "editor-publish");
+    page.locator("#publish-sure").click();
+    assertThat(page.locator("#problems-summary")).hasText("Published. The drawing is in force.");
+    assertThat(page.locator("#save-state")).hasText("Nothing changed yet");
+    FloorMap map = floor("Ümit 2");
+    assertEquals(drawing.walls(), map.drawing().walls());
+  }
+
+  @Test
+  void everyStepIsUndoneAndDoneAgain() {
+    Page page = editor(WebTestServer.MANAGER);
+    int walls = floor("hall").drawing().walls().occupied().cardinality();
+    tool(page, "wall");
+    drag(page, 3.15, 2.25, 5.55, 2.25);
+    tool(page, "stations");
+    click(page, 8.25, 3.15);
+    page.locator("#resize-left").evaluate("field => field.closest('details').open = true");
+    page.locator("#resize-left").fill("2");
+    page.locator("#resize").click();
+    awaitDraft(drawing -> drawing.walls().width() == 42 && drawing.stations().size() == 3);
+    assertEquals(-0.6, draft("hall").drawing().walls().origin().x(), 1e-9);
+
+    for (int i = 0; i < 3; i++) {
+      page.keyboard().press("Control+z");
+    }
+    assertThat(page.locator("#undo")).isDisabled();
+    awaitDraft(
+        drawing ->
+            drawing.walls().occupied().cardinality() == walls && drawing.stations().size() == 2);
+    page.keyboard().press("Control+Shift+z");
+    page.locator("#redo").click();
+    page.locator("#redo").click();
+    assertThat(page.locator("#redo")).isDisabled();
+    awaitDraft(
+        drawing ->
+            drawing.walls().occupied().cardinality() == walls + 9
+                && drawing.walls().width() == 42
+                && drawing.stations().size() == 3);
+  }
+
+  @Test
+  void theKeyboardAloneIsEnough() {
+    Page page = editor(WebTestServer.MANAGER);
+    page.locator("[data-tool=line]").focus();
+    page.keyboard().press("Enter");
+    page.locator("#map").focus();
+    press(page, "ArrowRight", 1); // the cursor is in the middle
+    assertThat(page.locator("#said")).hasText("6.15, 3.15 m: free");
+    press(page, "Enter", 1);
+    assertThat(page.locator("#said")).containsText("Begun here");
+    press(page, "ArrowRight", 3);
+    press(page, "Enter", 1);
+    assertThat(page.locator("#said")).hasText("4 cells became wall.");
+    page.locator("[data-tool=charging]").focus();
+    page.keyboard().press("Space");
+    page.locator("#map").focus();
+    press(page, "ArrowDown", 1);
+    press(page, "Shift+ArrowLeft", 1);
+    press(page, "Space", 1);
+    assertThat(page.locator("#said")).containsText("Added: Charger");
+    awaitDraft(drawing -> drawing.charging().size() == 2);
+    picture(page, "editor-keyboard");
+    press(page, "Delete", 1);
+    awaitDraft(drawing -> drawing.charging().size() == 1);
+    page.keyboard().press("Control+z");
+    awaitDraft(drawing -> drawing.charging().size() == 2);
+  }
+
+  @Test
+  void aFingerDrawsAndTwoMoveTheView() {
+    Page page =
+        loggedIn(
+            WebTestServer.MANAGER,
+            new Browser.NewContextOptions().setViewportSize(820, 1180).setHasTouch(true),
+            "floors/hall/edit");
+    assertThat(page.locator("#save-state")).hasText("Nothing changed yet");
+    int walls = floor("hall").drawing().walls().occupied().cardinality();
+    tool(page, "wall");
+    CDPSession touch = page.context().newCDPSession(page);
+    touch(touch, "touchStart", at(page, 3.15, 2.25));
+    touch(touch, "touchMove", at(page, 4.05, 2.25));
+    touch(touch, "touchEnd");
+    awaitDraft(drawing -> drawing.walls().occupied().cardinality() == walls + 4);
+
+    Object before = pictureOf(page);
+    touch(touch, "touchStart", at(page, 3.15, 4.05));
+    touch(touch, "touchStart", at(page, 3.15, 4.05), at(page, 6.15, 4.05));
+    touch(touch, "touchMove", at(page, 2.15, 4.05), at(page, 8.15, 4.05));
+    touch(touch, "touchEnd");
+    await(page, () -> !pictureOf(page).equals(before));
+    picture(page, "editor-tablet");
+    assertThat(page.locator("#save-state")).hasText("Draft saved");
+    assertEquals(walls + 4, draft("hall").drawing().walls().occupied().cardinality());
+    page.locator("#undo").tap();
+    awaitDraft(drawing -> drawing.walls().occupied().cardinality() == walls);
+  }
+
+  @Test
+  void twoWhoDrawAtOnceAreToldOfEachOther() {
+    Page page = editor(WebTestServer.MANAGER);
+    FloorDrawing theirs = FloorDrawing.of(floor("hall").drawing().walls());
+    saveElsewhere(theirs);
+    tool(page, "stations");
+    click(page, 8.25, 3.15);
+    assertThat(page.locator("#conflict-who")).containsText("Ann saved another version at");
+    picture(page, "editor-conflict");
+    page.locator("#conflict-load").click();
+    assertThat(page.locator("#things li")).hasCount(0);
+    page.locator("#undo").click();
+    assertThat(page.locator("#things li")).hasCount(7);
+    awaitDraft(drawing -> drawing.stations().size() == 3);
+
+    saveElsewhere(theirs);
+    click(page, 8.25, 4.05);
+    page.locator("#conflict-keep").click();
+    awaitDraft(drawing -> drawing.stations().size() == 4);
+    assertThat(page.locator("#save-state")).hasText("Draft saved");
+  }
+
+  @Test
+  void nothingIsLostWhileTheServerIsAway() {
+    Page page = editor(WebTestServer.MANAGER);
+    page.route("**/draft", Route::abort);
+    tool(page, "stations");
+    click(page, 8.25, 3.15);
+    assertThat(page.locator("#save-state")).containsText("Not saved: The server does not answer.");
+    picture(page, "editor-away");
+    page.unroute("**/draft");
+    page.evaluate("dispatchEvent(new Event('online'))");
+    assertThat(page.locator("#save-state")).hasText("Draft saved");
+    assertEquals(3, draft("hall").drawing().stations().size());
+  }
+
+  @Test
+  void aPlanIsImportedAndWhatIsInItsWallsIsNotPublished() throws IOException {
+    Page page = editor(WebTestServer.MANAGER);
+    page.locator("#import-file").evaluate("field => field.closest('details').open = true");
+    page.locator("#import-file").setInputFiles(new FilePayload("plan.png", "image/png", plan()));
+    page.locator("#import-resolution").fill("0.3");
+    page.locator("#import").click();
+    assertThat(page.locator("#import-said")).hasText("Imported: 40 × 20 cells.");
+    tool(page, "stations");
+    click(page, 1.05, 1.05);
+    page.locator("#publish").click();
+    assertThat(page.locator("#problem-list")).containsText("Station 1 lies in a wall");
+    assertThat(page.locator("#publishing")).isHidden();
+    page.locator("#problem-list button").click();
+    picture(page, "editor-problem");
+    tool(page, "select");
+    page.locator("#zoom-fit").click();
+    drag(page, 1.05, 1.05, 7.05, 3.15);
+    page.locator("#check").click();
+    assertThat(page.locator("#problems-summary")).hasText("No problems found.");
+    page.locator("#publish").click();
+    page.locator("#publish-sure").click();
+    assertThat(page.locator("#problems-summary")).hasText("Published. The drawing is in force.");
+    assertEquals("Station 1", floor("hall").stations().getFirst().name());
+
+    page.locator("#import-file")
+        .setInputFiles(new FilePayload("plan.png", "image/png", new byte[9]));
+    page.locator("#import").click();
+    assertThat(page.locator("#import-said")).containsText("is not a readable PNG picture");
+  }
+
+  /** Of 40 x 20 cells, the western quarter dark. */
+  private static byte[] plan() throws IOException {
+    BufferedImage image = new BufferedImage(40, 20, BufferedImage.TYPE_BYTE_GRAY);
+    image.createGraphics().fillRect(10, 0, 30, 20);
+    ByteArrayOutputStream out = new ByteArrayOutputStream();
+    ImageIO.write(image, "png", out);
+    return out.toByteArray();
+  }
+
+  private Page editor(String user) {
+    Page page = loggedIn(user, DESK, "floors/hall/edit");
+    assertThat(page.locator("#save-state")).hasText("Nothing changed yet");
+    return page;
+  }
+
+  private void saveElsewhere(FloorDrawing drawing) {
+    server
+        .fleet()
+        .floorEditing()
+        .saveDraft("hall", drawing, draft("hall").revision(), "Ann")
+        .toCompletableFuture()
+        .join();
+  }
+
+  private FloorDraft draft(String floor) {
+    return server.fleet().floorEditing().draft(floor).orElseThrow();
+  }
+
+  private FloorMap floor(String name) {
+    return server.fleet().floors().stream()
+        .filter(f -> f.name().equals(name))
+        .findFirst()
+        .orElseThrow();
+  }
+
+  private void awaitDraft(Predicate<FloorDrawing> condition) {
+    await(page(), () -> condition.test(draft("hall").drawing()));
+  }
+
+  private static void press(Page page, String key, int times) {
+    for (int i = 0; i < times; i++) {
+      page.keyboard().press(key);
+    }
+  }
+
+  private static void tool(Page page, String tool) {
+    page.locator("[data-tool=" + tool + "]").click();
+  }
+
+  /** A point of the floor of 12 m x 6 m, fitted into the canvas with its margin, on the page. */
+  private static double[] at(Page page, double x, double y) {
+    await(page, "document.querySelector('#map').width > 300");
+    Locator map = page.locator("#map");
+    map.scrollIntoViewIfNeeded();
+    BoundingBox box = map.boundingBox();
+    double scale = Math.min((box.width - 34) / 12, (box.height - 34) / 6);
+    return new double[] {
+      box.x + box.width / 2 + (x - 6) * scale, box.y + box.height / 2 - (y - 3) * scale
+    };
+  }
+
+  private static void click(Page page, double x, double y) {
+    double[] point = at(page, x, y);
+    page.mouse().click(point[0], point[1]);
+  }
+
+  private static void drag(Page page, double fromX, double fromY, double toX, double toY) {
+    double[] from = at(page, fromX, fromY);
+    double[] to = at(page, toX, toY);
+    page.mouse().move(from[0], from[1]);
+    page.mouse().down();
+    page.mouse().move(to[0], to[1], new Mouse.MoveOptions().setSteps(3));
+    page.mouse().up();
+  }
+
+  private static void touch(CDPSession session, String type, double[]... fingers) {
+    JsonArray points = new JsonArray();
+    for (int i = 0; i < fingers.length; i++) {
+      JsonObject point = new JsonObject();
+      point.addProperty("x", fingers[i][0]);
+      point.addProperty("y", fingers[i][1]);
+      point.addProperty("id", i);
+      points.add(point);
+    }
+    JsonObject event = new JsonObject();
+    event.addProperty("type", type);
+    event.add("touchPoints", points);
+    session.send("Input.dispatchTouchEvent", event);
+  }
+}
