@@ -62,8 +62,7 @@ public final class FloorWriter {
     occupied_thresh: 0.65
     free_thresh: 0.196
     """
-        .formatted(
-            quoted(name + ".pgm"), grid.resolution(), grid.origin().x(), grid.origin().y());
+        .formatted(quoted(name + ".pgm"), grid.resolution(), grid.origin().x(), grid.origin().y());
   }
 
   private static byte[] picture(OccupancyGrid grid) {

@@ -124,7 +124,9 @@ public final class MapArchive {
           mains.isEmpty()
               ? "No map is among the files: give its .yaml file (ROS map_server) with its picture, or"
                   + " its .map file (MovingAI)."
-              : "There are several maps among the files: " + String.join(", ", mains) + "; give one.");
+              : "There are several maps among the files: "
+                  + String.join(", ", mains)
+                  + "; give one.");
     }
     return new MapFile.InArchive(this, mains.getFirst());
   }

@@ -34,8 +34,7 @@ sealed interface MapFile {
     return new MapFormatException("There is no file " + file + "; check the map's path.", cause);
   }
 
-  private static void checkLength(MapFile file, long length, long limit)
-      throws MapFormatException {
+  private static void checkLength(MapFile file, long length, long limit) throws MapFormatException {
     if (length > limit) {
       throw new MapFormatException(
           "%s has %d bytes, more than the %d that a map file may have."

@@ -1,6 +1,5 @@
 package org.toqa.grid;
 
-
 /** What a map file may be at most; checked before memory is taken for it. */
 final class MapLimits {
   /** 17 million cells: 4096 x 4096, or 200 m x 200 m at 0.05 m. */

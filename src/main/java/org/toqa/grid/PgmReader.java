@@ -1,6 +1,5 @@
 package org.toqa.grid;
 
-
 /** Reads portable grey maps, in text (P2) and binary (P5), of 8 and 16 bits. */
 final class PgmReader {
   private final MapFile file;

@@ -20,7 +20,8 @@ final class TurnedGrid {
    * @param grid as if it was not turned
    * @param angle by which it is turned round its origin, radians counter-clockwise
    */
-  static OccupancyGrid turn(MapFile file, OccupancyGrid grid, double angle) throws MapFormatException {
+  static OccupancyGrid turn(MapFile file, OccupancyGrid grid, double angle)
+      throws MapFormatException {
     if (angle == 0) {
       return grid;
     }
