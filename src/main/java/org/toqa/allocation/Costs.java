@@ -43,8 +43,7 @@ final class Costs implements Quotes {
 
   @Override
   public boolean hasPathFor(AllocationTask task, Candidate robot) {
-    return Double.isFinite(
-        pathLengths.lengthsFrom(task.start(), robot.diameter()).applyAsDouble(task.goal()));
+    return Double.isFinite(pathLengths.length(task.start(), task.goal(), robot.diameter()));
   }
 
   /** How long the paths of a task are, metres, for robots of one diameter. */
@@ -56,11 +55,11 @@ final class Costs implements Quotes {
     final double toCharger;
 
     TaskPaths(AllocationTask task, double diameter) {
-      toLoad = pathLengths.lengthsFrom(task.start(), diameter);
-      carried = toLoad.applyAsDouble(task.goal());
+      toLoad = pathLengths.lengthsTo(task.start(), diameter);
+      carried = pathLengths.length(task.start(), task.goal(), diameter);
       toCharger =
           chargers.stream()
-              .mapToDouble(c -> pathLengths.lengthsFrom(c, diameter).applyAsDouble(task.goal()))
+              .mapToDouble(c -> pathLengths.lengthsTo(c, diameter).applyAsDouble(task.goal()))
               .min()
               .orElse(0);
     }

@@ -39,13 +39,17 @@ public record FloorDrawing(
     return Stream.of(stations, parking, charging).flatMap(List::stream);
   }
 
-  /** The grid that robots drive on: every cell that a keep-out area overlaps is occupied too. */
+  /**
+   * The grid that robots drive on, with the rules of its areas and places: every cell that a
+   * keep-out area overlaps is occupied too.
+   */
   public OccupancyGrid drivable() {
+    OccupancyGrid ruled = walls.withRules(MoveRules.of(this));
     if (keepOut.isEmpty()) {
-      return walls;
+      return ruled;
     }
     BitSet occupied = walls.occupied();
     keepOut.forEach(area -> occupied.or(area.cells(walls)));
-    return walls.withOccupied(occupied);
+    return ruled.withOccupied(occupied);
   }
 }

@@ -10,7 +10,8 @@ import org.toqa.geometry.Vec2;
 /**
  * Which cells of a floor are free. Row 0 is the top of the picture, as in ROS and MovingAI; the map
  * frame has x to the east and y to the north, with {@code origin} at the lower left corner of the
- * lower left cell. Columns count from 0 to the east, rows from 0 to the south. Immutable.
+ * lower left cell. Columns count from 0 to the east, rows from 0 to the south. With it goes how
+ * robots may move over the free cells ({@link MoveRules}). Immutable.
  */
 public final class OccupancyGrid {
   private final int width;
@@ -18,6 +19,8 @@ public final class OccupancyGrid {
   private final double resolution;
   private final Vec2 origin;
   private final BitSet occupied;
+  private final MoveRules rules;
+  private final ForbiddenMoves forbiddenMoves;
 
   /**
    * @param width cells from west to east, at least 1
@@ -28,6 +31,17 @@ public final class OccupancyGrid {
    * @throws IllegalArgumentException if a size is out of range
    */
   public OccupancyGrid(int width, int height, double resolution, Vec2 origin, BitSet occupied) {
+    this(width, height, resolution, origin, occupied, MoveRules.NONE, ForbiddenMoves.NONE);
+  }
+
+  private OccupancyGrid(
+      int width,
+      int height,
+      double resolution,
+      Vec2 origin,
+      BitSet occupied,
+      MoveRules rules,
+      ForbiddenMoves forbiddenMoves) {
     if (width < 1 || height < 1 || !(resolution > 0)) {
       throw new IllegalArgumentException(
           "A grid has at least one cell of positive size, not "
@@ -43,6 +57,8 @@ public final class OccupancyGrid {
     this.resolution = resolution;
     this.origin = origin;
     this.occupied = (BitSet) occupied.clone();
+    this.rules = rules;
+    this.forbiddenMoves = forbiddenMoves;
   }
 
   /**
@@ -124,9 +140,37 @@ public final class OccupancyGrid {
     return cells;
   }
 
-  /** The same frame with other cells occupied. */
+  /** The same frame and rules with other cells occupied. */
   public OccupancyGrid withOccupied(BitSet others) {
-    return new OccupancyGrid(width, height, resolution, origin, others);
+    return new OccupancyGrid(width, height, resolution, origin, others, rules, forbiddenMoves);
+  }
+
+  /** The same cells under other rules. */
+  public OccupancyGrid withRules(MoveRules others) {
+    return others.equals(rules)
+        ? this
+        : new OccupancyGrid(
+            width, height, resolution, origin, occupied, others, ForbiddenMoves.of(this, others));
+  }
+
+  /** How robots may move over its free cells. */
+  public MoveRules rules() {
+    return rules;
+  }
+
+  /**
+   * The moves to the eight cells beside one that the rules forbid, as bits by direction,
+   * counter-clockwise from east in steps of 45 degrees.
+   *
+   * @param cell by {@link #index}
+   */
+  public int forbiddenFrom(int cell) {
+    return forbiddenMoves.from(cell);
+  }
+
+  /** The same of the moves to a cell, by the direction in which they come from beside it. */
+  public int forbiddenInto(int cell) {
+    return forbiddenMoves.into(cell);
   }
 
   /** The middle of a cell, metres, map frame; the cell may lie outside the grid. */
@@ -177,6 +221,7 @@ public final class OccupancyGrid {
         && height == that.height
         && resolution == that.resolution
         && origin.equals(that.origin)
+        && rules.equals(that.rules)
         && occupied.equals(that.occupied);
   }
 

@@ -5,8 +5,8 @@ import org.toqa.grid.Cell;
 import org.toqa.grid.OccupancyGrid;
 
 /**
- * The lengths of the shortest octile paths between one cell and all others of a grid. Immutable;
- * for any thread.
+ * The lengths of the shortest octile paths to one cell from all others of a grid. Immutable; for
+ * any thread.
  */
 public final class DistanceField {
   private static final float UNREACHABLE = Float.POSITIVE_INFINITY;
@@ -17,21 +17,21 @@ public final class DistanceField {
   /**
    * Looks at every cell once.
    *
-   * @param grid inflated; from a source that is not free nothing can be reached
+   * @param grid inflated; a target that is not free cannot be reached
    */
-  public DistanceField(OccupancyGrid grid, Cell source) {
+  public DistanceField(OccupancyGrid grid, Cell target) {
     this.grid = grid;
     lengths = new float[grid.width() * grid.height()];
     Arrays.fill(lengths, UNREACHABLE);
-    if (grid.isFree(source)) {
-      fill(grid.index(source));
+    if (grid.isFree(target)) {
+      fill(grid.index(target));
     }
   }
 
-  private void fill(int source) {
+  private void fill(int target) {
     MoveGraph graph = new MoveGraph(grid);
     OctileSearch search = new OctileSearch(graph);
-    search.begin(graph, source, source);
+    search.begin(graph, target, target);
     for (int cell = 0; cell < lengths.length; cell++) {
       int length = search.distance(cell);
       if (length != OctileSearch.UNREACHABLE) {
@@ -40,8 +40,8 @@ public final class DistanceField {
     }
   }
 
-  /** The length of the shortest path, in cells; infinite where there is no path. */
-  public double to(Cell cell) {
+  /** The length of the shortest path from a cell, in cells; infinite where there is no path. */
+  public double from(Cell cell) {
     return grid.contains(cell) ? lengths[grid.index(cell)] : UNREACHABLE;
   }
 }

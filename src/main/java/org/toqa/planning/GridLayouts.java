@@ -66,7 +66,9 @@ final class GridLayouts {
 
   private static @Nullable BitSet changes(GridLayout layout, OccupancyGrid grid) {
     OccupancyGrid known = layout.grid();
-    return known.width() == grid.width() && known.height() == grid.height()
+    return known.width() == grid.width()
+            && known.height() == grid.height()
+            && known.rules().equals(grid.rules())
         ? known.differences(grid)
         : null;
   }

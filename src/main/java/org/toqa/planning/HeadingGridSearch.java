@@ -33,6 +33,11 @@ final class HeadingGridSearch implements GridSearch {
     GridLayout layout = layouts.layout(grid);
     int from = grid.index(start);
     int to = grid.index(goal);
+    if (layout.graph().isDirected()) { // jump points are for moves that lead back too
+      return searchHeadings(layout, from, to)
+          ? Optional.of(Path.of(start, moves, true))
+          : Optional.empty();
+    }
     if (!jumpPoints.search(layout, from, to)) {
       return Optional.empty();
     }
@@ -42,7 +47,8 @@ final class HeadingGridSearch implements GridSearch {
     return Optional.of(Path.of(start, moves, true));
   }
 
-  private void searchHeadings(GridLayout layout, int from, int to) {
+  /** Whether there is a path. */
+  private boolean searchHeadings(GridLayout layout, int from, int to) {
     boolean isKnown =
         knownLayout == layout
             && knownUpdates == layout.updates()
@@ -53,13 +59,15 @@ final class HeadingGridSearch implements GridSearch {
     if (!isKnown) {
       octile.begin(graph, to, from);
     }
-    int shortest = jumpPoints.length();
-    if (!heading.search(graph, from, to, shortest, false, moves)) {
-      heading.search(graph, from, to, shortest, true, moves);
-    }
+    int shortest = octile.distance(from);
+    boolean isFound =
+        shortest != OctileSearch.UNREACHABLE
+            && (heading.search(graph, from, to, shortest, false, moves)
+                || heading.search(graph, from, to, shortest, true, moves));
     knownLayout = layout;
     knownUpdates = layout.updates();
     knownGoal = to;
+    return isFound;
   }
 
   @Override

@@ -167,10 +167,10 @@ final class HeadingSearch {
   private void reach(int entry, int length) {
     int cell = entry >> (3 + TURN_BITS);
     int ahead = toGoal.distanceWithin(cell, level - octileToStart(cell));
-    if (ahead == OctileSearch.UNREACHABLE) {
-      defer(entry, length);
-    } else {
+    if (ahead != OctileSearch.UNREACHABLE) {
       open.push(entry, length + ahead);
+    } else if (!toGoal.isCutOff(cell)) {
+      defer(entry, length);
     }
   }
 

@@ -5,8 +5,9 @@ import org.toqa.grid.OccupancyGrid;
 
 /**
  * Which of the eight moves each cell of a grid allows: a move needs a free target, a diagonal one
- * also both cells beside it (the MovingAI rule). One bit a {@link Heading}, by its ordinal; moves
- * are symmetric. A byte a cell. Confined to one thread at a time.
+ * also both cells beside it (the MovingAI rule); and the grid's rules may forbid it in one
+ * direction. One bit a {@link Heading}, by its ordinal. A byte a cell, two where there are such
+ * rules. Confined to one thread at a time.
  */
 final class MoveGraph {
   /** A cell among the eight around it: bits of three columns, western first, of three cells. */
@@ -19,6 +20,10 @@ final class MoveGraph {
 
   private final int width;
   private final byte[] moves;
+
+  /** By the direction in which they come from beside the cell; the same where all are symmetric. */
+  private final byte[] movesInto;
+
   private final int[] offset = new int[8];
 
   MoveGraph(OccupancyGrid grid) {
@@ -27,17 +32,27 @@ final class MoveGraph {
       offset[h.ordinal()] = h.dRow() * width + h.dColumn();
     }
     moves = new byte[width * grid.height()];
+    movesInto = grid.rules().isDirected() ? new byte[moves.length] : moves;
     for (int row = 0; row < grid.height(); row++) {
       int window = freeInColumn(grid, 0, row);
       for (int column = 0; column < width; column++) {
         window = (window << 3 | freeInColumn(grid, column + 1, row)) & WINDOW;
-        moves[row * width + column] = MOVES_BY_WINDOW[window];
+        setMoves(grid, row * width + column, window);
       }
     }
   }
 
+  private void setMoves(OccupancyGrid grid, int cell, int window) {
+    byte symmetric = MOVES_BY_WINDOW[window];
+    moves[cell] = symmetric;
+    if (movesInto != moves) {
+      moves[cell] = (byte) (symmetric & ~grid.forbiddenFrom(cell));
+      movesInto[cell] = (byte) (symmetric & ~grid.forbiddenInto(cell));
+    }
+  }
+
   /**
-   * Takes over a grid of the same size.
+   * Takes over a grid of the same size and rules.
    *
    * @param changed the cells that are not as before, by their index
    */
@@ -50,7 +65,7 @@ final class MoveGraph {
                 freeInColumn(grid, column - 1, row) << 6
                     | freeInColumn(grid, column, row) << 3
                     | freeInColumn(grid, column + 1, row);
-            moves[row * width + column] = MOVES_BY_WINDOW[window];
+            setMoves(grid, row * width + column, window);
           }
         }
       }
@@ -88,6 +103,16 @@ final class MoveGraph {
   /** The moves of a cell as bits by heading. */
   int moves(int cell) {
     return moves[cell] & 0xFF;
+  }
+
+  /** Whether there is a move that is not allowed back. */
+  boolean isDirected() {
+    return movesInto != moves;
+  }
+
+  /** The moves to a cell, as bits by the direction in which they come from beside it. */
+  int movesInto(int cell) {
+    return movesInto[cell] & 0xFF;
   }
 
   boolean allows(int cell, int heading) {

@@ -3,10 +3,9 @@ package org.toqa.planning;
 import java.util.Arrays;
 
 /**
- * A* over cells with eight moves, resumable: it answers the exact distance from its source to one
+ * A* over cells with eight moves, resumable: it answers the exact distance to its target from one
  * cell after the other and keeps what it has found between the questions (reverse resumable A*,
- * Silver, "Cooperative Pathfinding", 2005). Moves are symmetric, so the distance from a source is
- * also the distance to it.
+ * Silver, "Cooperative Pathfinding", 2005).
  *
  * <p>Flat arrays; a generation stamp makes them new without clearing. Confined to one thread.
  */
@@ -36,7 +35,7 @@ final class OctileSearch {
    * @param toward the cell near which the questions will be: the search leans to it, the answers do
    *     not depend on it
    */
-  void begin(MoveGraph moveGraph, int source, int toward) {
+  void begin(MoveGraph moveGraph, int target, int toward) {
     graph = moveGraph;
     if (stamp.length < graph.size()) {
       g = new int[graph.size()];
@@ -50,11 +49,11 @@ final class OctileSearch {
     generation++;
     towardColumn = graph.column(toward);
     towardRow = graph.row(toward);
-    int length = octile(source);
+    int length = octile(target);
     open.clear(length);
-    g[source] = 0;
-    stamp[source] = 2 * generation;
-    open.push(source, length);
+    g[target] = 0;
+    stamp[target] = 2 * generation;
+    open.push(target, length);
   }
 
   /** Whether the distance of a cell has been found. */
@@ -62,7 +61,12 @@ final class OctileSearch {
     return stamp[cell] == 2 * generation + 1;
   }
 
-  /** Exact octile distance between the source and a cell, or {@link #UNREACHABLE}. */
+  /** Whether it has come out that no path leads from a cell to the target. */
+  boolean isCutOff(int cell) {
+    return open.isEmpty() && !isKnown(cell);
+  }
+
+  /** Exact octile distance from a cell to the target, or {@link #UNREACHABLE}. */
   int distance(int cell) {
     return search(cell, Integer.MAX_VALUE) ? g[cell] : UNREACHABLE;
   }
@@ -103,7 +107,7 @@ final class OctileSearch {
     }
     int columns = graph.column(cell) - towardColumn;
     int rows = graph.row(cell) - towardRow;
-    for (int moves = graph.moves(cell); moves != 0; moves &= moves - 1) {
+    for (int moves = graph.movesInto(cell); moves != 0; moves &= moves - 1) {
       int heading = Integer.numberOfTrailingZeros(moves);
       int next = graph.target(cell, heading);
       int known = stamp[next];

@@ -2,13 +2,21 @@ package org.toqa.planning;
 
 import java.util.List;
 import java.util.Optional;
+import java.util.stream.IntStream;
+import java.util.stream.Stream;
+import org.toqa.geometry.Vec2;
+import org.toqa.grid.Area;
 import org.toqa.grid.Cell;
 import org.toqa.grid.OccupancyGrid;
+import org.toqa.grid.OneWay;
 import org.toqa.planning.Path.Step;
 
 /** Judges a path by the rules alone, apart from every planner. */
 public final class PlanChecker {
   private static final double ROUNDING = 1e-6;
+
+  /** A move is looked at in so many pieces to see which areas it leads through. */
+  private static final int PIECES = 64;
 
   /** What a path may do at a corner. */
   public enum Rule {
@@ -80,6 +88,46 @@ public final class PlanChecker {
         && to.row() == row + heading.dRow()
         && grid.isFree(to)
         && grid.isFree(column + heading.dColumn(), row)
-        && grid.isFree(column, row + heading.dRow());
+        && grid.isFree(column, row + heading.dRow())
+        && isInDirection(grid, from.cell(), to);
+  }
+
+  /** Whether a straight between the middles of two cells keeps the directions of the areas. */
+  static boolean isInDirection(OccupancyGrid grid, Cell from, Cell to) {
+    int columns = to.column() - from.column();
+    int north = from.row() - to.row();
+    for (OneWay one : grid.rules().oneWay()) {
+      Vec2 direction = one.direction().vector();
+      if (columns * direction.x() + north * direction.y() < 0
+          && points(grid, from, to).anyMatch(point -> isIn(one.area(), point))) {
+        return false;
+      }
+    }
+    for (OneWay one : grid.rules().approaches()) {
+      Vec2 direction = one.direction().vector();
+      boolean isStraight = columns == direction.x() && north == direction.y();
+      if (!isStraight
+          && !isIn(one.area(), grid.centre(from))
+          && points(grid, from, to).anyMatch(point -> isIn(one.area(), point))) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  private static Stream<Vec2> points(OccupancyGrid grid, Cell from, Cell to) {
+    Vec2 start = grid.centre(from);
+    Vec2 way = grid.centre(to).minus(start);
+    return IntStream.rangeClosed(0, PIECES)
+        .mapToObj(i -> start.plus(way.times((double) i / PIECES)));
+  }
+
+  private static boolean isIn(Area area, Vec2 point) {
+    double east = point.x() - area.low().x();
+    double north = point.y() - area.low().y();
+    return east > ROUNDING
+        && east < area.width() - ROUNDING
+        && north > ROUNDING
+        && north < area.height() - ROUNDING;
   }
 }

@@ -56,7 +56,7 @@ public final class DistanceTables {
         break;
       }
       for (int d = 0; d < RoadGraph.DIRECTIONS; d++) {
-        int u = roads.neighbour(v, d);
+        int u = roads.predecessor(v, d);
         if (u != RoadGraph.NONE && steps[u] == UNREACHABLE) {
           steps[u] = (char) next;
           queue[tail++] = u;

@@ -7,9 +7,9 @@ import org.toqa.grid.OccupancyGrid;
 
 /**
  * The free cells of a grid as vertices 0, 1, 2 ... in reading order, each joined with its free
- * neighbours in the four directions, as far as the passage between them is open: every edge can be
- * driven both ways. Flat arrays, because planners ask for neighbours some million times a second.
- * Immutable.
+ * neighbours in the four directions, as far as the passage between them is open. Every edge can be
+ * driven both ways, but where the grid's rules forbid one of them. Flat arrays, because planners
+ * ask for neighbours some million times a second. Immutable.
  */
 public final class RoadGraph {
   public static final int EAST = 0;
@@ -27,6 +27,10 @@ public final class RoadGraph {
   private final int[] vertexAt;
   private final int[] cellOf;
   private final int[] neighbours;
+
+  /** From where one comes, by the direction in which that lies; the neighbours, if all is both. */
+  private final int[] predecessors;
+
   private final int[] degrees;
   private final int[] components;
   private final int largestComponent;
@@ -84,6 +88,21 @@ public final class RoadGraph {
     }
     components = new int[count];
     largestComponent = labelComponents();
+    predecessors = grid.rules().isDirected() ? neighbours.clone() : neighbours;
+    forbidMoves();
+  }
+
+  private void forbidMoves() {
+    for (int v = 0; isDirected() && v < vertexCount(); v++) {
+      for (int d = 0; d < DIRECTIONS; d++) {
+        if ((grid.forbiddenFrom(cellOf[v]) >> (2 * d) & 1) == 1) {
+          neighbours[v * DIRECTIONS + d] = NONE;
+        }
+        if ((grid.forbiddenInto(cellOf[v]) >> (2 * d) & 1) == 1) {
+          predecessors[v * DIRECTIONS + d] = NONE;
+        }
+      }
+    }
   }
 
   private void join(int vertex, int direction, int next, Passage passage) {
@@ -162,6 +181,26 @@ public final class RoadGraph {
     return neighbours[vertex * DIRECTIONS + direction];
   }
 
+  /** The vertex in a direction from which one comes to this one, or {@link #NONE}. */
+  public int predecessor(int vertex, int direction) {
+    return predecessors[vertex * DIRECTIONS + direction];
+  }
+
+  /** Whether there may be edges that are driven one way only. */
+  public boolean isDirected() {
+    return predecessors != neighbours;
+  }
+
+  /** Whether one can go from a vertex to another one beside it. */
+  public boolean hasEdge(int from, int to) {
+    for (int d = 0; d < DIRECTIONS; d++) {
+      if (neighbour(from, d) == to) {
+        return true;
+      }
+    }
+    return false;
+  }
+
   /**
    * The direction that leads from a vertex to one beside it.
    *
@@ -210,7 +249,7 @@ public final class RoadGraph {
     }
   }
 
-  /** How many neighbours it has, 0 to 4. */
+  /** How many vertices it is joined with, one way or the other, 0 to 4. */
   public int degree(int vertex) {
     return degrees[vertex];
   }
@@ -220,12 +259,25 @@ public final class RoadGraph {
     return direction ^ 2;
   }
 
-  /** Whether one can be reached from the other. */
-  public boolean isConnected(int vertex, int other) {
-    return components[vertex] == components[other];
+  /**
+   * Whether a vertex can be reached from another one. It takes a search where there are edges that
+   * are driven one way only.
+   */
+  public boolean canReach(int from, int to) {
+    if (components[from] != components[to] || !isDirected()) {
+      return components[from] == components[to];
+    }
+    boolean[] isFound = {false};
+    visitByDistance(
+        from,
+        (vertex, steps) -> {
+          isFound[0] = vertex == to;
+          return !isFound[0];
+        });
+    return isFound[0];
   }
 
-  /** How many vertices the largest connected part has. */
+  /** How many vertices the largest connected part has, whichever way its edges are driven. */
   public int largestPartSize() {
     return largestPart;
   }

@@ -87,6 +87,17 @@ class GridPlannerPropertyTest {
     assertOctileWayIsShortest(query);
   }
 
+  @Provide
+  Arbitrary<Query> oneWayGrids() {
+    return RandomGrids.withDirections(RandomGrids.strewn(1, 12, 0.3, 1));
+  }
+
+  @Property
+  void waysAreShortestWhereSomeAreDrivenOneWay(@ForAll("oneWayGrids") Query query) {
+    assertHeadingWayIsShortest(query);
+    assertOctileWayIsShortest(query);
+  }
+
   @Property(tries = 200)
   void plannersRememberNothing(@ForAll("rooms") Query first, @ForAll("rooms") Query second) {
     for (PathPlanner used : List.of(new HeadingAStar(), new JumpPointSearch())) {

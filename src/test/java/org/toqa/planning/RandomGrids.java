@@ -1,13 +1,19 @@
 package org.toqa.planning;
 
 import java.util.BitSet;
+import java.util.List;
 import java.util.Random;
+import java.util.stream.Stream;
 import net.jqwik.api.Arbitraries;
 import net.jqwik.api.Arbitrary;
 import net.jqwik.api.Combinators;
 import org.toqa.geometry.Vec2;
+import org.toqa.grid.Area;
 import org.toqa.grid.Cell;
+import org.toqa.grid.Direction;
+import org.toqa.grid.MoveRules;
 import org.toqa.grid.OccupancyGrid;
+import org.toqa.grid.OneWay;
 
 /** Grids and queries for properties. */
 final class RandomGrids {
@@ -19,6 +25,7 @@ final class RandomGrids {
     @Override
     public String toString() {
       StringBuilder text = new StringBuilder(start + " to " + goal);
+      text.append(grid.rules().oneWay()).append(grid.rules().approaches());
       for (int row = 0; row < grid.height(); row++) {
         text.append('\n');
         for (int column = 0; column < grid.width(); column++) {
@@ -34,6 +41,43 @@ final class RandomGrids {
       int shortestSide, int longestSide, double crowded, double resolution) {
     Arbitrary<Integer> side = Arbitraries.integers().between(shortestSide, longestSide);
     return strewn(side, side, crowded, resolution);
+  }
+
+  /** The same with areas that are driven one way, and cells that are entered one way. */
+  static Arbitrary<Query> withDirections(Arbitrary<Query> queries) {
+    return Combinators.combine(queries, Arbitraries.longs())
+        .as(
+            (query, seed) -> {
+              Random random = new Random(seed);
+              OccupancyGrid grid = query.grid();
+              MoveRules rules =
+                  new MoveRules(
+                      Stream.generate(() -> oneWay(grid, 1 + random.nextInt(6), random))
+                          .limit(random.nextInt(4))
+                          .toList(),
+                      random.nextBoolean() ? List.of(approach(query)) : List.of(),
+                      List.of());
+              return new Query(grid.withRules(rules), query.start(), query.goal());
+            });
+  }
+
+  private static OneWay oneWay(OccupancyGrid grid, int most, Random random) {
+    double side = grid.resolution();
+    double step = random.nextBoolean() ? side : side / 3;
+    Vec2 low =
+        grid.origin()
+            .plus(
+                new Vec2(random.nextInt(grid.width()), random.nextInt(grid.height())).times(side));
+    return new OneWay(
+        new Area(low, (1 + random.nextInt(most)) * step, (1 + random.nextInt(most)) * step),
+        Direction.values()[random.nextInt(4)]);
+  }
+
+  private static OneWay approach(Query query) {
+    OccupancyGrid grid = query.grid();
+    double side = grid.resolution();
+    Vec2 low = grid.centre(query.goal()).minus(new Vec2(side / 2, side / 2));
+    return new OneWay(new Area(low, side, side), Direction.NORTH);
   }
 
   /** The same, a few cells wide in one direction and more than 64 in the other. */

@@ -61,7 +61,8 @@ final class ReferenceSearch {
         if (Double.isFinite(turn)
             && grid.isFree(x + dx, y + dy)
             && grid.isFree(x + dx, y)
-            && grid.isFree(x, y + dy)) {
+            && grid.isFree(x, y + dy)
+            && PlanChecker.isInDirection(grid, state.cell(), new Cell(x + dx, y + dy))) {
           State next = new State(new Cell(x + dx, y + dy), direction);
           open.add(new Entry(next, best.cost() + turn + Math.hypot(dx, dy)));
         }

@@ -120,7 +120,7 @@ record AllocationWorkload(
   private static double taskSeconds(FloorDistances distances, List<Vec2> places) {
     double sum = 0;
     for (Vec2 from : places) {
-      sum += places.stream().mapToDouble(distances.lengthsFrom(from, DIAMETER)).sum();
+      sum += places.stream().mapToDouble(distances.lengthsTo(from, DIAMETER)).sum();
     }
     double mean = sum / (places.size() * (places.size() - 1.0));
     return 1.5 * mean / DriveSpeeds.DEFAULT.forward();

@@ -89,8 +89,7 @@ record RobotGoals(GridPose start, List<Cell> goals) {
     }
     int from = roads.vertex(start.get());
     boolean isWhole = goals.size() == words.size() - 1;
-    boolean isConnected =
-        goals.stream().allMatch(goal -> roads.isConnected(from, roads.vertex(goal)));
+    boolean isConnected = goals.stream().allMatch(goal -> roads.canReach(from, roads.vertex(goal)));
     return isWhole && isConnected
         ? Optional.of(new RobotGoals(new GridPose(start.get(), heading), goals))
         : Optional.empty();

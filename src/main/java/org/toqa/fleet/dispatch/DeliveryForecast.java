@@ -92,6 +92,6 @@ final class DeliveryForecast {
   }
 
   private double metres(RobotView robot, Vec2 from, Vec2 to) {
-    return travel.lengthsFrom(to, robot.capabilities().footprint()).applyAsDouble(from);
+    return travel.lengthsTo(to, robot.capabilities().footprint()).applyAsDouble(from);
   }
 }

@@ -128,7 +128,7 @@ final class ChargingQueues {
    * The length of a robot's path, metres, between places in the map frame; infinite without one.
    */
   double metres(FloorRobot robot, Vec2 from, Vec2 to) {
-    return distances.lengthsFrom(to, robot.reported.footprint()).applyAsDouble(from);
+    return distances.lengthsTo(to, robot.reported.footprint()).applyAsDouble(from);
   }
 
   /** From a place to the charging point nearest to it. */

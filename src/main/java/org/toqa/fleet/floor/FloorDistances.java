@@ -51,10 +51,17 @@ public final class FloorDistances implements PathLengths {
   }
 
   @Override
-  public ToDoubleFunction<Vec2> lengthsFrom(Vec2 place, double diameter) {
+  public ToDoubleFunction<Vec2> lengthsTo(Vec2 place, double diameter) {
     Key key = new Key(grid.cellAt(place), diameter);
     DistanceField known = fields.get(key);
     return known == null ? lengths(findField(key)) : lengths(known);
+  }
+
+  @Override
+  public double length(Vec2 from, Vec2 to, double diameter) {
+    return grid.rules().isDirected()
+        ? lengthsTo(to, diameter).applyAsDouble(from)
+        : lengthsTo(from, diameter).applyAsDouble(to); // the same, and more often known
   }
 
   /**
@@ -65,17 +72,31 @@ public final class FloorDistances implements PathLengths {
     if (grid.width() * grid.height() <= CELLS_AT_ONCE) {
       return this;
     }
-    return (place, diameter) -> {
-      Key key = new Key(grid.cellAt(place), diameter);
-      DistanceField known = fields.get(key);
-      if (known != null) {
-        return lengths(known);
+    return new PathLengths() {
+      @Override
+      public ToDoubleFunction<Vec2> lengthsTo(Vec2 place, double diameter) {
+        return knownLengthsTo(place, diameter, executor);
       }
-      if (soughtFields.add(key)) {
-        executor.execute(() -> findSoughtField(key));
+
+      @Override
+      public double length(Vec2 from, Vec2 to, double diameter) {
+        return grid.rules().isDirected()
+            ? lengthsTo(to, diameter).applyAsDouble(from)
+            : lengthsTo(from, diameter).applyAsDouble(to);
       }
-      return place::distanceTo;
     };
+  }
+
+  private ToDoubleFunction<Vec2> knownLengthsTo(Vec2 place, double diameter, Executor executor) {
+    Key key = new Key(grid.cellAt(place), diameter);
+    DistanceField known = fields.get(key);
+    if (known != null) {
+      return lengths(known);
+    }
+    if (soughtFields.add(key)) {
+      executor.execute(() -> findSoughtField(key));
+    }
+    return place::distanceTo;
   }
 
   private void findSoughtField(Key key) {
@@ -88,9 +109,22 @@ public final class FloorDistances implements PathLengths {
 
   /** Nobody who asks for another one waits for it. */
   private DistanceField findField(Key key) {
-    DistanceField field = new DistanceField(passable(key.diameter()), key.cell());
+    OccupancyGrid free = passable(key.diameter());
+    DistanceField field = new DistanceField(free, target(free, key.cell()));
     fields.put(key, field);
     return field;
+  }
+
+  /**
+   * Where paths lead to a cell: on a floor with one-way areas beside it, where it is too narrow.
+   */
+  private static Cell target(OccupancyGrid free, Cell cell) {
+    return free.rules().isDirected() && !free.isFree(cell)
+        ? free.cellsAround(free.centre(cell), 1).stream()
+            .filter(free::isFree)
+            .findFirst()
+            .orElse(cell)
+        : cell;
   }
 
   private ToDoubleFunction<Vec2> lengths(DistanceField field) {
@@ -104,11 +138,12 @@ public final class FloorDistances implements PathLengths {
   /**
    * A robot may be stopped a little nearer to a wall than it would drive: a cell beside it will do.
    */
-  private static double length(DistanceField field, Cell to) {
-    double length = field.to(to);
+  private static double length(DistanceField field, Cell cell) {
+    double length = field.from(cell);
     for (int dRow = -1; dRow <= 1 && Double.isInfinite(length); dRow++) {
       for (int dColumn = -1; dColumn <= 1; dColumn++) {
-        length = Math.min(length, field.to(new Cell(to.column() + dColumn, to.row() + dRow)) + 1);
+        length =
+            Math.min(length, field.from(new Cell(cell.column() + dColumn, cell.row() + dRow)) + 1);
       }
     }
     return length;

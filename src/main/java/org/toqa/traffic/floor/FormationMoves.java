@@ -6,12 +6,15 @@ import org.toqa.formation.Shape;
 import org.toqa.geometry.Pose;
 import org.toqa.geometry.Twist;
 import org.toqa.geometry.Vec2;
+import org.toqa.grid.MoveRules;
+import org.toqa.motion.Segment;
 
 /**
  * How a formation can be led over its lattice: a move is a step along the heading, or a corner of
  * 45 or 90 degrees with as much of a leg before and behind it as an arc of the smallest radius
  * needs, so that no path has a tighter one. A move is open where the whole formation, with a
- * margin, meets nothing on it. States are those of {@link FormationLattice}.
+ * margin, meets nothing on it, and the middle of its load keeps the directions of the floor. States
+ * are those of {@link FormationLattice}.
  */
 final class FormationMoves {
   /** In eighths of a full turn. */
@@ -23,6 +26,7 @@ final class FormationMoves {
   private final FormationLattice lattice;
   private final Shape shape;
   private final FormationClearance clearance;
+  private final MoveRules rules;
   private final double radius;
 
   /** Metres. */
@@ -38,7 +42,9 @@ final class FormationMoves {
   private final FormationFootprint.Placement[][][] onMoves =
       new FormationFootprint.Placement[8][5][];
 
-  FormationMoves(FormationLattice lattice, Shape shape, FormationClearance clearance) {
+  FormationMoves(
+      FormationLattice lattice, Shape shape, FormationClearance clearance, MoveRules rules) {
+    this.rules = rules;
     this.lattice = lattice;
     this.shape = shape;
     this.clearance = clearance;
@@ -127,7 +133,14 @@ final class FormationMoves {
         return false;
       }
     }
-    return true;
+    return !rules.isDirected() || keepsDirections(state, eighths);
+  }
+
+  private boolean keepsDirections(int state, int eighths) {
+    List<Segment> pieces =
+        move(state & 7, eighths).stream().map(t -> new Segment(t.vx(), t.w(), 1)).toList();
+    return DirectionCheck.isKept(
+        rules, leader -> shape.loadAt(leader).position(), lattice.pose(state), pieces);
   }
 
   private FormationFootprint.Placement[] onMove(int heading, int eighths) {

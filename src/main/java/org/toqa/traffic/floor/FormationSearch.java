@@ -95,7 +95,7 @@ final class FormationSearch {
     this.radius = shape.smallestRadius();
     this.lengths = new double[lattice.stateCount()];
     this.parents = new int[lengths.length];
-    this.moves = new FormationMoves(lattice, shape, clearance);
+    this.moves = new FormationMoves(lattice, shape, clearance, grid.rules());
     Arrays.fill(lengths, Double.POSITIVE_INFINITY);
     Arrays.fill(parents, -1);
   }
@@ -190,7 +190,7 @@ final class FormationSearch {
           double v = Math.min(speeds.forward(), speeds.arcRate() / Math.abs(curvature));
           Segment arc = new Segment(v, v * curvature, length / v);
           Trajectory trajectory = new Trajectory(start, List.of(arc));
-          if (isGoal(trajectory.end()) && clearance.isKeptOnEntry(trajectory)) {
+          if (isGoal(trajectory.end()) && isOpen(trajectory)) {
             return Optional.of(trajectory);
           }
         }
@@ -243,12 +243,22 @@ final class FormationSearch {
         if (length < LONGEST_ENTRY
             && curve.turning() < SHARPEST_ENTRY
             && length < lengths[state]
-            && clearance.isKeptOnEntry(new Trajectory(start, curve.segments(speeds)))) {
+            && isOpen(new Trajectory(start, curve.segments(speeds)))) {
           reach(state, -1, length);
           entries.put(state, curve);
         }
       }
     }
+  }
+
+  /** Whether it can be led along a curve from where it stands. */
+  private boolean isOpen(Trajectory entry) {
+    return clearance.isKeptOnEntry(entry)
+        && DirectionCheck.isKept(
+            grid.rules(),
+            leader -> shape.loadAt(leader).position(),
+            entry.start(),
+            entry.segments());
   }
 
   private Trajectory trajectoryTo(int goalState) {

@@ -231,7 +231,7 @@ final class GoalAssignment {
     for (Cell cell : lanes.cellsAround(goal)) {
       int vertex = roads.vertex(cell);
       if (vertex != RoadGraph.NONE
-          && roads.isConnected(start, vertex)
+          && roads.canReach(start, vertex)
           && occupied.isFree(robot.standingArea(), lastLeg(cell, robot, goal))) {
         Vec2 from = lanes.lattice().centre(cell);
         double kept = freeSpace.keptMargin(from, end(goal), robot.radius());

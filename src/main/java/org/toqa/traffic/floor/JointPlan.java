@@ -140,13 +140,13 @@ final class JointPlan {
     if (!passingPlaces.isCentre(start.position())) {
       return turning;
     }
-    List<Waypoint> waypoints = lanes.waypoints(visits, 0, lanes.goalPoint(robot), i -> false);
+    List<Waypoint> waypoints = lanes.waypoints(visits, 0, goalPoint(robot, visits), i -> false);
     SweptArea standing = robot.areaAt(start);
     List<List<Section>> fits =
         Stream.of(length, length / 2)
             .map(corner -> fitter.fit(robot, start, waypoints, corner, passingPlaces))
             .filter(fit -> fit.stream().allMatch(s -> occupied.isFree(standing, s)))
-            .filter(fit -> canSetOut(robot, fit))
+            .filter(fit -> canSetOut(robot, fit) && keepsDirections(start, fit))
             .toList();
     for (double room : freeSpace.wallSteps()) {
       for (List<Section> fit : fits) {
@@ -172,7 +172,7 @@ final class JointPlan {
       List<Cell> visits,
       SectionFitter fitter,
       PassingPlaces passingPlaces) {
-    Vec2 goal = lanes.goalPoint(robot);
+    Vec2 goal = goalPoint(robot, visits);
     List<Waypoint> direct = lanes.waypoints(visits, 0, goal, i -> true);
     List<Waypoint> besides = new ArrayList<>(lanes.waypoints(visits, 1, goal, i -> true));
     besides.addFirst(new Waypoint(lanes.cells().centre(visits.get(1)), true));
@@ -181,12 +181,23 @@ final class JointPlan {
         List.of(waypointsFromCentre(lanes, visits, 0, goal, i -> true), direct, besides)) {
       List<Section> fit =
           fitter.fit(robot, start, waypoints, lanes.cells().resolution(), passingPlaces);
-      if (canSetOut(robot, fit)) {
+      if (canSetOut(robot, fit) && keepsDirections(start, fit)) {
         return fit;
       }
       first = first == null ? fit : first;
     }
     return Objects.requireNonNull(first);
+  }
+
+  private boolean keepsDirections(Pose start, List<Section> path) {
+    return DirectionCheck.isKept(roads.grid().rules(), start, path);
+  }
+
+  /** Where it stops in the cell of its goal, if it can go straight there from the cell before. */
+  private @Nullable Vec2 goalPoint(TrafficRobot robot, List<Cell> visits) {
+    Vec2 goal = lanes.goalPoint(robot);
+    Vec2 before = lanes.of(visits.get(Math.max(0, visits.size() - 2)));
+    return goal != null && roads.grid().rules().allows(before, goal) ? goal : null;
   }
 
   /** Whether nobody that is planned too stands so near that it keeps the robot from setting out. */

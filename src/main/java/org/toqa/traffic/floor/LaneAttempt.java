@@ -14,6 +14,7 @@ import org.toqa.geometry.Pose;
 import org.toqa.geometry.Vec2;
 import org.toqa.geometry.Waypoint;
 import org.toqa.grid.Cell;
+import org.toqa.grid.MoveRules;
 import org.toqa.grid.OccupancyGrid;
 import org.toqa.traffic.Deadline;
 import org.toqa.traffic.JointPlanner;
@@ -169,6 +170,7 @@ final class LaneAttempt {
     Vec2 middle = points.of(cell);
     double slack = lattice.resolution() - 2 * robot.radius() - Clearance.BETWEEN_ROBOTS;
     return pose.position().distanceTo(middle) <= Math.max(slack / 2, ON_LANE)
+        && lattice.rules().metresAgainst(pose.position(), middle) <= MoveRules.SLACK
         && freeSpace.keepsMargin(pose.position(), middle, robot.radius());
   }
 
@@ -225,6 +227,7 @@ final class LaneAttempt {
       if (isStopped
           && sections.size() == 1
           && freeSpace.keepsMargin(from.position(), points.of(cell), robot.radius())
+          && DirectionCheck.isKept(lanes.lattice().rules(), from, sections)
           && canDrive(robot, from, sections.getFirst(), swept)) {
         swept.add(sections.getFirst().area());
         taken.add(cell);

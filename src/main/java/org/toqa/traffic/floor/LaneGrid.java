@@ -82,7 +82,9 @@ final class LaneGrid {
             .plus(
                 new Vec2(corner.column(), floor.height() - corner.row() - rows * side)
                     .times(resolution));
-    this.lattice = new OccupancyGrid(columns, rows, side * resolution, origin, new BitSet());
+    this.lattice =
+        new OccupancyGrid(columns, rows, side * resolution, origin, new BitSet())
+            .withRules(floor.rules());
     double cells = (diameter + 2 * kept) / resolution;
     this.disc = touched(side, cells, 0, 0);
     this.toEast = touched(side, cells, 1, 0);
@@ -254,7 +256,8 @@ final class LaneGrid {
         lattice.withOccupied(closed),
         (column, row, direction) -> {
           int vertex = open.vertex(column, row);
-          int next = open.neighbour(vertex, direction);
+          int there = open.neighbour(vertex, direction);
+          int next = there == RoadGraph.NONE ? open.predecessor(vertex, direction) : there;
           Cell cell = new Cell(column, row);
           if (next == RoadGraph.NONE) {
             return false;

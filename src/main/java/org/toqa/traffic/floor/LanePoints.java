@@ -60,9 +60,15 @@ final class LanePoints {
   /** Metres, map frame. */
   Vec2 of(Cell cell) {
     Vec2 centre = cells.centre(cell);
-    return lack == 0
+    return lack == 0 || isByDirectedArea(cell)
         ? centre
         : centre.plus(new Vec2(sideward(cell, 1, 0), -sideward(cell, 0, 1)).times(lack));
+  }
+
+  /** There a robot that goes across would move a little against the direction. */
+  private boolean isByDirectedArea(Cell cell) {
+    int index = cells.contains(cell) ? cells.index(cell) : -1;
+    return index >= 0 && (cells.forbiddenFrom(index) | cells.forbiddenInto(index)) != 0;
   }
 
   /** 1 towards rising columns or rows, -1 away from them, 0 where both sides are alike. */

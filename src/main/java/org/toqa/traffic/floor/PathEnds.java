@@ -3,6 +3,7 @@ package org.toqa.traffic.floor;
 import java.util.function.Predicate;
 import org.toqa.geometry.Vec2;
 import org.toqa.grid.Cell;
+import org.toqa.grid.MoveRules;
 import org.toqa.grid.OccupancyGrid;
 
 /** The cells in which a robot's path over cells begins and ends. */
@@ -18,14 +19,24 @@ final class PathEnds {
 
   /**
    * The cell in which its path over cells begins: where it is, or beside that where the middle of
-   * its cell is too near to something.
+   * its cell is too near to something, or lies against the direction of an area.
    */
   Cell entry(OccupancyGrid free, TrafficRobot robot) {
     Cell here = robot.committedCell();
-    return freeSpace.seenBy(robot).freeCells(robot.radius()).isFree(here) && isOpen(free, here)
+    return freeSpace.seenBy(robot).freeCells(robot.radius()).isFree(here)
+            && isOpen(free, here)
+            && isInDirection(robot, here)
         ? here
         : nearestCell(
-            robot.committedEnd().position(), here, c -> !c.equals(here) && free.isFree(c));
+            robot.committedEnd().position(),
+            here,
+            c -> !c.equals(here) && free.isFree(c) && isInDirection(robot, c));
+  }
+
+  private boolean isInDirection(TrafficRobot robot, Cell cell) {
+    Vec2 from = robot.committedEnd().position();
+    OccupancyGrid grid = freeSpace.grid();
+    return grid.rules().metresAgainst(from, grid.centre(cell)) <= MoveRules.SLACK;
   }
 
   private static boolean isOpen(OccupancyGrid free, Cell cell) {

@@ -12,8 +12,8 @@ import org.toqa.motion.SegmentFitter;
 import org.toqa.motion.Trajectory;
 
 /**
- * Makes sections of a path: fits the segments, cuts the straights where the robot may stop, and
- * gathers what lies between two such places.
+ * Makes sections of a path: fits the segments, cuts the straights where the robot may stop, slows
+ * down where the floor has speed limits, and gathers what lies between two such places.
  */
 final class SectionFitter {
   private static final double SHORTEST = 1e-6;
@@ -43,9 +43,11 @@ final class SectionFitter {
     Pose pose = trajectory.start();
     for (Segment whole : trajectory.segments()) {
       for (Segment piece : split(pose, whole, passingPlaces)) {
-        SweptArea area = robot.sweptArea(pose, piece);
-        pose = pose.advanced(piece.twist(), piece.t());
-        open.add(piece, area, pose);
+        for (Segment limited : robot.limited(pose, piece)) {
+          SweptArea area = robot.sweptArea(pose, limited);
+          pose = pose.advanced(limited.twist(), limited.t());
+          open.add(limited, area, pose);
+        }
         if (passingPlaces.isPassingPlace(pose.position(), open.length)) {
           open.endsHalfway = passingPlaces.isHalfway(pose.position());
           parts.add(open);

@@ -180,6 +180,9 @@ final class SectionReleaser {
             waypoints,
             lanes.cells().resolution(),
             new PassingPlaces.CellPlaces(lanes.cells(), false));
+    if (!DirectionCheck.isKept(lanes.cells().rules(), pose, sections)) {
+      return false;
+    }
     robot.drive.replaceUnreleased(
         sections, JointPlan.visitsAtEnds(lanes.cells(), pose, sections, visits, from));
     robot.waiting.restartBlocked();

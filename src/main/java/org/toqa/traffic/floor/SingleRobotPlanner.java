@@ -11,12 +11,14 @@ import java.util.function.DoubleFunction;
 import java.util.function.Predicate;
 import java.util.stream.Collectors;
 import java.util.stream.DoubleStream;
+import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 import org.toqa.geometry.Pose;
 import org.toqa.geometry.Vec2;
 import org.toqa.geometry.Waypoint;
 import org.toqa.grid.Cell;
+import org.toqa.grid.MoveRules;
 import org.toqa.grid.OccupancyGrid;
 import org.toqa.planning.HeadingAStar;
 import org.toqa.planning.Path;
@@ -106,6 +108,29 @@ final class SingleRobotPlanner {
             .flatMap(path -> path.cells().stream())
             .map(grid::centre)
             .toList();
+  }
+
+  /**
+   * Where its path leads against the direction of an area, were there no directions: metres, map
+   * frame; empty where it does not, or there is none.
+   */
+  Optional<Vec2> pointAgainstDirection(TrafficRobot robot) {
+    Cell goal = robot.goalCell();
+    OccupancyGrid grid = freeSpace.grid();
+    if (goal == null || !grid.rules().isDirected()) {
+      return Optional.empty();
+    }
+    OccupancyGrid free =
+        freeSpace.seenBy(robot).freeCells(robot.radius()).withRules(MoveRules.NONE);
+    List<Vec2> points =
+        path(free, ends.entry(free, robot), ends.exit(free, robot, goal)).stream()
+            .flatMap(path -> path.cells().stream())
+            .map(grid::centre)
+            .toList();
+    return IntStream.range(1, points.size())
+        .filter(i -> !grid.rules().allows(points.get(i - 1), points.get(i)))
+        .mapToObj(points::get)
+        .findFirst();
   }
 
   /**
@@ -235,7 +260,10 @@ final class SingleRobotPlanner {
   private Optional<List<Section>> fittedPath(
       OccupancyGrid free, TrafficRobot robot, Cell goal, Predicate<List<Section>> isAcceptable) {
     Predicate<List<Section>> isClearAndRight =
-        sections -> isClear(robot, sections) && isAcceptable.test(sections);
+        sections ->
+            isClear(robot, sections)
+                && DirectionCheck.isKept(freeSpace.grid().rules(), robot.committedEnd(), sections)
+                && isAcceptable.test(sections);
     Optional<List<Section>> best =
         straightToGoal(robot, goal)
             .flatMap(waypoints -> firstFit(robot, waypoints, isClearAndRight));

@@ -203,6 +203,15 @@ final class TrafficRobot {
         : formation.sweptArea(from, segment);
   }
 
+  /** A segment of its path in pieces that are as slow as the floor wants. */
+  List<Segment> limited(Pose from, Segment segment) {
+    List<Vec2> members = new ArrayList<>(List.of(Vec2.ZERO));
+    if (formation != null) {
+      members.addAll(formation.shape().offsets());
+    }
+    return SpeedLimiter.limited(grid.rules(), members, from, segment);
+  }
+
   /** A section of its path that covers an area. */
   Section section(List<Segment> segments, Pose end, SweptArea area, boolean endsHalfway) {
     return new Section(segments, end, area, areaAt(end), area.cells(grid, 0), endsHalfway);

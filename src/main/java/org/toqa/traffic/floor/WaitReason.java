@@ -64,6 +64,14 @@ public sealed interface WaitReason {
     }
   }
 
+  /** The floor has a path, but against the direction of an area or of a place. */
+  record AgainstOneWay(Vec2 goal, Vec2 where) implements WaitReason {
+    @Override
+    public Sentence sentence() {
+      return Phrase.WAITS_AT_ONE_WAY.with(Sentence.of(goal), Sentence.of(where));
+    }
+  }
+
   /** No plan for all robots was found in the time there is; it is tried again. */
   record NoPlan(Vec2 goal) implements WaitReason {
     @Override

@@ -82,7 +82,10 @@ final class WaitReasonFinder {
             freeSpace.grid().centre(freeSpace.grid().cell(touched)));
       }
     }
-    return new WaitReason.NoPath(goal, 2 * robot.radius());
+    return singleRobotPlanner
+        .pointAgainstDirection(robot)
+        .<WaitReason>map(where -> new WaitReason.AgainstOneWay(goal, where))
+        .orElseGet(() -> new WaitReason.NoPath(goal, 2 * robot.radius()));
   }
 
   private @Nullable WaitReason blocking(

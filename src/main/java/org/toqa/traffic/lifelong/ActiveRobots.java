@@ -57,7 +57,7 @@ final class ActiveRobots {
     statuses[robot] = asked.isFixed() && start != goal ? PlanStatus.FIXED : status(start, goal);
     robots[size] = robot;
     states[size] = graph.state(start, direction(asked.pose().heading()));
-    goals[size] = goal != NONE && roads.isConnected(start, goal) ? goal : NONE;
+    goals[size] = goal != NONE && roads.canReach(start, goal) ? goal : NONE;
     size++;
   }
 
@@ -65,7 +65,7 @@ final class ActiveRobots {
     if (goal == NONE) {
       return PlanStatus.GOAL_BLOCKED;
     }
-    if (!graph.roads().isConnected(start, goal)) {
+    if (!graph.roads().canReach(start, goal)) {
       return PlanStatus.NO_PATH;
     }
     return start == goal ? PlanStatus.ARRIVED : PlanStatus.DRIVING;

@@ -79,7 +79,7 @@ public final class OneShotPlanner {
       if (!goals.add(goal)) {
         return Optional.of(unsolved(Reason.GOAL_SHARED, robot, goal));
       }
-      if (!instance.roads().isConnected(from, to)) {
+      if (!instance.roads().canReach(from, to)) {
         return Optional.of(unsolved(Reason.NO_WAY, robot, goal));
       }
     }

@@ -243,12 +243,13 @@ final class Pibt implements StepSearch {
     int ahead = before[wanted];
     if (ahead != NONE
         && to[ahead] == NONE
+        && mayFollow(wanted, here)
         && isSwapRequired(robot, ahead, here, wanted)
         && isSwapPossible(wanted, here)) {
       return ahead;
     }
     for (int d = 0; d < DIRECTIONS; d++) {
-      int beside = roads.neighbour(here, d);
+      int beside = roads.predecessor(here, d);
       if (beside == NONE || beside == wanted) {
         continue;
       }
@@ -260,6 +261,10 @@ final class Pibt implements StepSearch {
       }
     }
     return NONE;
+  }
+
+  private boolean mayFollow(int from, int to) {
+    return !roads.isDirected() || roads.hasEdge(from, to);
   }
 
   /** Whether the pusher, driving the puller before it, meets no branch before their paths cross. */
@@ -287,7 +292,8 @@ final class Pibt implements StepSearch {
   private boolean isSwapPossible(int pusherAt, int pullerAt) {
     int back = pusherAt;
     int front = pullerAt;
-    while (front != pusherAt) {
+    int steps = 0;
+    while (front != pusherAt && ++steps <= roads.vertexCount()) { // one-way rings lead nowhere else
       int exit = onlyExit(front, back);
       if (exit == SEVERAL) {
         return true;

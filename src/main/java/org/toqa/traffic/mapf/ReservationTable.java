@@ -126,9 +126,9 @@ public class ReservationTable {
     return (w << WORD) + Long.SIZE - Long.numberOfLeadingZeros(bits);
   }
 
-  /** The vertex beside one in a direction. */
+  /** The vertex beside one in a direction, from which one comes to it. */
   final int beside(int vertex, int direction) {
-    return roads.neighbour(vertex, direction);
+    return roads.predecessor(vertex, direction);
   }
 
   private int firstBit(long[] table, int base, int time, long flipped) {

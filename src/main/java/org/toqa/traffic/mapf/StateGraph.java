@@ -69,10 +69,10 @@ public final class StateGraph {
     int vertex = state / headings;
     int heading = state % headings;
     return switch (model) {
-      case CLASSIC -> roads.neighbour(vertex, RoadGraph.opposite(action - 1));
+      case CLASSIC -> roads.predecessor(vertex, RoadGraph.opposite(action - 1));
       case TURNS ->
           switch (action) {
-            case FORWARD -> facing(roads.neighbour(vertex, RoadGraph.opposite(heading)), heading);
+            case FORWARD -> facing(roads.predecessor(vertex, RoadGraph.opposite(heading)), heading);
             case LEFT -> state(vertex, heading + DIRECTIONS - 1);
             default -> state(vertex, heading + 1);
           };

@@ -111,7 +111,7 @@ final class TrafficGuide {
   private int relax(int vertex, char[] toGo) {
     int count = 0;
     for (int d = 0; d < DIRECTIONS; d++) {
-      int from = roads.neighbour(vertex, d);
+      int from = roads.predecessor(vertex, d);
       if (from == NONE) {
         continue;
       }
@@ -161,7 +161,7 @@ final class TrafficGuide {
   private void setCosts(int from, int direction, int to) {
     setCost(to, opposite(direction), from);
     for (int d = 0; d < DIRECTIONS; d++) {
-      int beside = roads.neighbour(to, d);
+      int beside = roads.predecessor(to, d);
       if (beside != NONE) {
         setCost(beside, opposite(d), to);
       }

@@ -24,14 +24,14 @@ class FloorDistancesTest {
     FloorDistances distances = new FloorDistances(halls(400));
     PathLengths ofAgent = distances.withoutWaiting(elsewhere::add);
 
-    assertEquals(10, ofAgent.lengthsFrom(EAST, DIAMETER).applyAsDouble(WEST), 1e-9);
-    assertEquals(10, ofAgent.lengthsFrom(EAST, DIAMETER).applyAsDouble(WEST), 1e-9);
+    assertEquals(10, ofAgent.lengthsTo(EAST, DIAMETER).applyAsDouble(WEST), 1e-9);
+    assertEquals(10, ofAgent.lengthsTo(EAST, DIAMETER).applyAsDouble(WEST), 1e-9);
     assertEquals(1, elsewhere.size(), "it is looked for once");
     elsewhere.remove().run();
 
-    double exact = distances.lengthsFrom(EAST, DIAMETER).applyAsDouble(WEST);
+    double exact = distances.lengthsTo(EAST, DIAMETER).applyAsDouble(WEST);
     assertTrue(exact > 70, () -> "round the wall, not " + exact);
-    assertEquals(exact, ofAgent.lengthsFrom(EAST, DIAMETER).applyAsDouble(WEST), 1e-9);
+    assertEquals(exact, ofAgent.lengthsTo(EAST, DIAMETER).applyAsDouble(WEST), 1e-9);
     assertEquals(0, elsewhere.size());
   }
 
@@ -40,7 +40,7 @@ class FloorDistancesTest {
     PathLengths ofAgent = new FloorDistances(halls(50)).withoutWaiting(elsewhere::add);
 
     double exact =
-        ofAgent.lengthsFrom(new Vec2(3.5, 0.5), DIAMETER).applyAsDouble(new Vec2(1.5, 0.5));
+        ofAgent.lengthsTo(new Vec2(3.5, 0.5), DIAMETER).applyAsDouble(new Vec2(1.5, 0.5));
     assertTrue(exact > 8, () -> "round the wall, not " + exact);
     assertEquals(0, elsewhere.size());
   }

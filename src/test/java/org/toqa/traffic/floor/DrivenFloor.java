@@ -29,7 +29,8 @@ import org.toqa.traffic.mapf.LacamJointPlanner;
 /**
  * Drives discs, and groups of them, over a floor exactly as they are told, each as late as chance
  * will have it, and looks on: no two discs may ever overlap, none may touch a wall, none may drive
- * what was not released. It shares nothing with the traffic but its decisions.
+ * what was not released, none may drive in an area otherwise than is drawn there. It shares nothing
+ * with the traffic but its decisions.
  */
 final class DrivenFloor {
   /** Who moves for so long goes to and fro, as some do behind one that stays. */
@@ -58,6 +59,7 @@ final class DrivenFloor {
   final Set<String> lost = new TreeSet<>();
   private final SplittableRandom chance;
   private final AtomicLong looks = new AtomicLong();
+  private final AreaJudge areas;
   Instant now = Instant.EPOCH;
 
   /** So far from where they take themselves to be robots may really be, metres. */
@@ -84,6 +86,7 @@ final class DrivenFloor {
    */
   DrivenFloor(OccupancyGrid grid, long seed, Duration mostPlanning, Duration planningLimit) {
     this.grid = grid;
+    this.areas = new AreaJudge(grid.rules());
     this.chance = new SplittableRandom(seed);
     SplittableRandom delays = new SplittableRandom(seed + 1);
     this.traffic =
@@ -145,6 +148,7 @@ final class DrivenFloor {
   void putAt(String robot, Pose pose, double diameter) {
     DrivenBody body = new DrivenBody(pose, diameter);
     bodies.put(robot, body);
+    areas.put(robot, pose.position());
     traffic.reportStanding(robot, body.pose, diameter, now);
     traffic.setMovable(robot, true);
   }
@@ -158,6 +162,7 @@ final class DrivenFloor {
   /** It leads a group from now on; its goals are where the load shall come. */
   void lead(String robot, FormationFootprint group) {
     body(robot).group = group;
+    areas.put(robot, body(robot).carries());
     traffic.setFormation(robot, group);
   }
 
@@ -211,10 +216,12 @@ final class DrivenFloor {
                   chance.nextDouble(-metres, metres),
                   chance.nextDouble(-radians, radians)));
       if (body.discs().stream().allMatch(this::isOffTheWalls)) {
+        areas.put(robot, body.pose.position());
         return;
       }
     }
     body.pose = onPath;
+    areas.put(robot, onPath.position());
   }
 
   boolean isAt(String robot, Cell cell) {
@@ -278,6 +285,7 @@ final class DrivenFloor {
   }
 
   private void check() {
+    bodies.forEach((name, body) -> areas.look(name, body.carries(), STEP));
     List<String> names = new ArrayList<>(bodies.keySet());
     for (int i = 0; i < names.size(); i++) {
       DrivenBody a = body(names.get(i));

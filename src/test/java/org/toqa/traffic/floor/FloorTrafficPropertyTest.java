@@ -41,7 +41,7 @@ class FloorTrafficPropertyTest {
   /** Whether there was room for robots; the floors of the other kinds answer the same. */
   static boolean driveToThreeGoals(long seed) {
     Random random = new Random(seed);
-    OccupancyGrid grid = aisles(random);
+    OccupancyGrid grid = withAreas(aisles(random), seed);
     List<Cell> free = largestPart(grid);
     int robots = Math.min(1 + random.nextInt(8), free.size() / 4);
     if (robots < 1) {
@@ -144,7 +144,7 @@ class FloorTrafficPropertyTest {
     Random random = new Random(seed);
     OccupancyGrid coarse = aisles(random);
     int fine = 8 + random.nextInt(5);
-    OccupancyGrid grid = finer(coarse, fine, 0.05, random);
+    OccupancyGrid grid = withAreas(coarse, finer(coarse, fine, 0.05, random), fine, seed);
     List<Cell> free = largestPart(coarse);
     int robots = Math.min(1 + random.nextInt(8), free.size() / 4);
     if (robots < 1) {
@@ -185,7 +185,7 @@ class FloorTrafficPropertyTest {
 
   static boolean driveThroughTroubles(long seed) {
     Random random = new Random(seed);
-    OccupancyGrid grid = aisles(random);
+    OccupancyGrid grid = withAreas(aisles(random), seed);
     List<Cell> free = largestPart(grid);
     int robots = Math.min(2 + random.nextInt(6), free.size() / 4);
     if (robots < 1) {
@@ -260,6 +260,22 @@ class FloorTrafficPropertyTest {
       }
     }
     return new OccupancyGrid(width, height, DrivenFloor.CELL, Vec2.ZERO, occupied);
+  }
+
+  private static OccupancyGrid withAreas(OccupancyGrid grid, long seed) {
+    return grid.withRules(DrawnAreas.of(grid, largestPart(grid), new Random(~seed)));
+  }
+
+  /** Those of the coarse floor on the finer one. */
+  private static OccupancyGrid withAreas(
+      OccupancyGrid coarse, OccupancyGrid grid, int fine, long seed) {
+    Vec2 corner = place(grid, coarse, new Cell(0, coarse.height() - 1), fine);
+    double side = fine * grid.resolution();
+    return grid.withRules(
+        DrawnAreas.scaled(
+            DrawnAreas.of(coarse, largestPart(coarse), new Random(~seed)),
+            side / coarse.resolution(),
+            corner.minus(new Vec2(side / 2, side / 2))));
   }
 
   static List<Cell> largestPart(OccupancyGrid grid) {

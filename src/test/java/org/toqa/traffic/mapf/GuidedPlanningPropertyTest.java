@@ -30,7 +30,7 @@ class GuidedPlanningPropertyTest {
     int[] starts = floor.starts().stream().mapToInt(roads::vertex).toArray();
     int[] goals = floor.goals().stream().mapToInt(roads::vertex).toArray();
     for (int robot = 0; robot < starts.length; robot++) {
-      if (!roads.isConnected(starts[robot], goals[robot])) {
+      if (!roads.canReach(starts[robot], goals[robot])) {
         return;
       }
     }
