@@ -18,6 +18,13 @@ create table floor_maps (
 );
 create index floor_maps_floor on floor_maps (floor, since);
 
+-- Which floor an event concerns; null: none, or all.
+alter table events add column floor varchar(64);
+update events set floor = (select floor from tasks where tasks.id = events.task_id)
+where task_id is not null;
+update events set floor = (select floor from robots where robots.name = events.robot)
+where task_id is null and robot is not null;
+
 create table floor_drafts (
   floor varchar(64) not null primary key,
   user_name varchar(64) not null,

@@ -25,6 +25,7 @@
         <c:forEach items="${robots}" var="robot"><option dir="auto" ${param.robot == robot ? 'selected' : ''}><c:out value="${robot}"/></option></c:forEach>
       </select>
     </label>
+    <t:floor-choice/>
     <label><fmt:message key="history.kind"/>
       <select name="kind">
         <option value=""><fmt:message key="history.all"/></option>

@@ -13,6 +13,9 @@
     </div>
     <div class="choices"><a role="button" href="${root}/tasks/new"><fmt:message key="tasks.new"/></a></div>
   </div>
+  <c:if test="${fn:length(floors) > 1}">
+    <form method="get" action="${root}/loads" class="filter"><t:floor-choice/><button><fmt:message key="history.filter"/></button></form>
+  </c:if>
   <div id="live" data-live="loads">
     <c:if test="${empty loads}"><p class="notice"><fmt:message key="loads.empty"/></p></c:if>
     <c:if test="${not empty loads}">

@@ -166,6 +166,27 @@
         <button><fmt:message key="robot.locate.submit"/></button>
       </form>
     </article>
+    <c:if test="${fn:length(floors) > 1 and not robot.record.simulated}">
+      <article class="card" id="move">
+        <h2><fmt:message key="robot.move"/></h2>
+        <p class="faint"><fmt:message key="robot.move.intro"/></p>
+        <c:url value="/robots/${robot.name}/move" var="move"/>
+        <form method="post" action="<c:out value="${move}"/>" novalidate>
+          <t:csrf/>
+          <label for="move-floor"><fmt:message key="map.floor"/></label>
+          <select id="move-floor" name="floor" ${not empty errors.floor ? 'aria-invalid="true" aria-describedby="move-floor-help"' : ''}>
+            <c:forEach items="${floors}" var="choice"><c:if test="${choice.name() != robot.floor()}"><option dir="auto" ${param.floor == choice.name() ? 'selected' : ''}><c:out value="${choice.name()}"/></option></c:if></c:forEach>
+          </select>
+          <c:if test="${not empty errors.floor}"><small id="move-floor-help" class="wrong"><bdi><c:out value="${errors.floor}"/></bdi></small></c:if>
+          <div class="grid">
+            <div><t:field name="x" id="move-x" label="robot.locate.x" inputmode="decimal" idle="${sent != 'move'}"/></div>
+            <div><t:field name="y" id="move-y" label="robot.locate.y" inputmode="decimal" idle="${sent != 'move'}"/></div>
+            <div><t:field name="heading" id="move-heading" label="robot.locate.heading" hint="robot.locate.heading.hint" inputmode="decimal" idle="${sent != 'move'}"/></div>
+          </div>
+          <button><fmt:message key="robot.move.submit"/></button>
+        </form>
+      </article>
+    </c:if>
     <article class="card" id="change">
       <h2><fmt:message key="robot.change"/></h2>
       <c:url value="/robots/${robot.name}/change" var="change"/>
@@ -178,7 +199,7 @@
         </div>
         <div class="grid">
           <div><t:field name="maxLoad" label="robots.add.maxLoad" inputmode="decimal" value="${robot.maxLoad % 1 == 0 ? robot.maxLoad.intValue() : robot.maxLoad}"/></div>
-          <div><t:parking chosen="${param.parking == null ? robot.record.parking : param.parking}" none="robot.parking.none"/></div>
+          <div><t:parking chosen="${param.parking == null ? robot.record.parking : param.parking}" none="robot.parking.none" on="${robot.floor()}"/></div>
         </div>
         <t:gateway chosen="${param.gateway == null ? robot.record.gateway : param.gateway}"/>
         <button><fmt:message key="robot.change.submit"/></button>

@@ -13,6 +13,9 @@
     </div>
   </div>
   <c:if test="${param.done == 'removed'}"><p class="notice good" role="status"><fmt:message key="robots.done.removed"/></p></c:if>
+  <c:if test="${fn:length(floors) > 1}">
+    <form method="get" action="${root}/robots" class="filter"><t:floor-choice/><button><fmt:message key="history.filter"/></button></form>
+  </c:if>
   <div id="live" data-live="robots">
     <c:if test="${empty robots}"><p class="notice"><fmt:message key="robots.empty"/></p></c:if>
     <c:if test="${not empty robots}">
@@ -36,7 +39,7 @@
             <fmt:formatNumber value="${robot.maxLoad}" maxFractionDigits="2" var="maxLoad"/>
             <c:url value="/robots/${robot.name}" var="link"/>
             <tr>
-              <th scope="row"><a href="<c:out value="${link}"/>"><bdi><c:out value="${robot.name}"/></bdi></a></th>
+              <th scope="row"><a href="<c:out value="${link}"/>"><bdi><c:out value="${robot.name}"/></bdi></a><c:if test="${fn:length(floors) > 1}"><br><small class="faint"><bdi><c:out value="${robot.floor()}"/></bdi></small></c:if></th>
               <td><t:state of="robot" state="${robot.state}"/></td>
               <td class="whole"><t:said sentence="${robot.work.doing}"/></td>
               <td data-label="<fmt:message key="robots.column.task"/>"><c:choose><c:when test="${empty robot.work.task}"><span class="faint"><fmt:message key="common.none"/></span></c:when><c:otherwise><span><a href="${root}/tasks/${robot.work.task}"><fmt:message key="task.title"><fmt:param value="${robot.work.task}"/></fmt:message></a><br><small><fmt:message key="robot.phase.${robot.work.phase.number()}"/></small></span></c:otherwise></c:choose></td>
@@ -72,6 +75,14 @@
           <div><t:field name="port" label="robots.add.port" inputmode="numeric" value="7275"/></div>
         </div>
         <div class="grid">
+          <c:if test="${fn:length(floors) > 1}">
+            <div>
+              <label for="floor"><fmt:message key="map.floor"/></label>
+              <select id="floor" name="floor" ${not empty errors.floor ? 'aria-invalid="true"' : ''}>
+                <c:forEach items="${floors}" var="choice"><option dir="auto" ${param.floor == choice.name() ? 'selected' : ''}><c:out value="${choice.name()}"/></option></c:forEach>
+              </select>
+            </div>
+          </c:if>
           <div><t:field name="maxLoad" label="robots.add.maxLoad" inputmode="decimal"/></div>
           <div>
             <t:parking chosen="${param.parking}" none="robots.add.parking.any"/>

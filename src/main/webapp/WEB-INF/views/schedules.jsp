@@ -15,6 +15,9 @@
   </div>
   <t:errors/>
   <c:if test="${not empty param.added}"><p class="notice good" role="status"><fmt:message key="schedules.added"/></p></c:if>
+  <c:if test="${fn:length(floors) > 1}">
+    <form method="get" action="${root}/schedules" class="filter"><t:floor-choice/><button><fmt:message key="history.filter"/></button></form>
+  </c:if>
   <c:if test="${empty entries}"><p class="notice"><fmt:message key="schedules.empty"/></p></c:if>
   <c:if test="${not empty entries}">
     <table class="stacks">
@@ -28,7 +31,7 @@
           <c:set var="schedule" value="${entry.schedule}"/>
           <tr>
             <td class="number">${schedule.id}</td>
-            <th scope="row"><bdi><c:out value="${schedule.order.name}"/></bdi></th>
+            <th scope="row"><bdi><c:out value="${schedule.order.name}"/></bdi><c:if test="${fn:length(floors) > 1}"><br><small class="faint"><bdi><c:out value="${empty schedule.order.floor ? floors[0].name() : schedule.order.floor}"/></bdi></small></c:if></th>
             <td data-label="<fmt:message key="schedules.column.when"/>">
               <c:choose>
                 <c:when test="${entry.kind == 'once'}"><fmt:message key="schedules.once"/>${" "}<t:time at="${schedule.recurrence.at}"/></c:when>

@@ -15,7 +15,7 @@
   <fmt:message key="statistics.choose" var="choose"/>
   <nav class="periods" aria-label="${choose}">
     <c:forEach items="${names}" var="name">
-      <c:url value="/statistics" var="target"><c:param name="period" value="${name}"/><c:if test="${not empty param.zone and empty errors.zone}"><c:param name="zone" value="${param.zone}"/></c:if></c:url>
+      <c:url value="/statistics" var="target"><c:param name="period" value="${name}"/><c:if test="${not empty param.zone and empty errors.zone}"><c:param name="zone" value="${param.zone}"/></c:if><c:if test="${not empty param.floor and empty errors.floor}"><c:param name="floor" value="${param.floor}"/></c:if></c:url>
       <a href="<c:out value="${target}"/>" ${name == chosen ? 'aria-current="page"' : ''}><fmt:message key="statistics.period.${name}"/></a>
     </c:forEach>
   </nav>
@@ -25,10 +25,11 @@
         <input name="${name}" type="date" value="${fn:escapeXml(param[name])}" required ${empty errors[name] ? '' : 'aria-invalid="true" aria-describedby="error-'.concat(name).concat('"')}>
       </label>
     </c:forTokens>
+    <t:floor-choice/>
     <input type="hidden" id="zone" name="zone" value="${empty param.zone or not empty errors.zone ? 'UTC' : fn:escapeXml(param.zone)}">
     <button><fmt:message key="statistics.show"/></button>
   </form>
-  <c:forTokens items="period,from,to,zone" delims="," var="name"><c:if test="${not empty errors[name]}"><p id="error-${name}" class="notice bad" role="alert"><c:out value="${errors[name]}"/></p></c:if></c:forTokens>
+  <c:forTokens items="period,from,to,zone,floor" delims="," var="name"><c:if test="${not empty errors[name]}"><p id="error-${name}" class="notice bad" role="alert"><c:out value="${errors[name]}"/></p></c:if></c:forTokens>
   <c:if test="${not empty period}">
     <c:forEach items="${floorViews}" var="floor"><c:if test="${not empty floor.chargerShortage}"><p class="notice bad"><t:said sentence="${floor.chargerShortage.text}"/></p></c:if></c:forEach>
     <div class="figures">

@@ -5,7 +5,7 @@
 <%@ taglib prefix="t" tagdir="/WEB-INF/tags" %>
 <c:set var="root" value="${pageContext.request.contextPath}"/>
 <fmt:message key="tasks.title" var="title"/>
-<c:set var="filters" value="state,text,user,robot,from,until,followed"/>
+<c:set var="filters" value="state,text,user,robot,from,until,followed,floor"/>
 <t:page title="${title}" here="task" script="shared/live.js">
   <div class="heading">
     <div>
@@ -39,6 +39,7 @@
           <c:forEach items="${robots}" var="robot"><option dir="auto" ${param.robot == robot.name ? 'selected' : ''}><c:out value="${robot.name}"/></option></c:forEach>
         </select>
       </label>
+      <t:floor-choice/>
       <c:forTokens items="text,user,from,until" delims="," var="name">
         <label><fmt:message key="tasks.filter.${name}"/>
           <input name="${name}" type="${name == 'from' or name == 'until' ? 'date' : 'text'}" value="${fn:escapeXml(param[name])}" dir="auto" autocomplete="off" ${empty errors[name] ? '' : 'aria-invalid="true"'}>
@@ -89,7 +90,7 @@
               <th scope="row"><a href="${root}/tasks/${view.task.id}"><bdi><c:out value="${view.task.name}"/></bdi></a><c:if test="${not empty view.task.part}"><small class="part"><t:part part="${view.task.part}" order="${orders[view.task.part.order]}"/></small></c:if></th>
               <td><t:state of="task" state="${view.state}"/></td>
               <td class="number" data-label="<fmt:message key="tasks.column.load"/>"><fmt:message key="common.kilograms"><fmt:param value="${load}"/></fmt:message></td>
-              <td data-label="<fmt:message key="tasks.column.fromTo"/>"><t:place place="${view.task.start}"/> – <t:place place="${view.task.goal}"/></td>
+              <td data-label="<fmt:message key="tasks.column.fromTo"/>"><span><t:place place="${view.task.start}"/> – <t:place place="${view.task.goal}"/><c:if test="${fn:length(floors) > 1}"><br><small class="faint"><bdi><c:out value="${view.task.floor}"/></bdi></small></c:if></span></td>
               <td data-label="<fmt:message key="tasks.column.robots"/>"><t:robots names="${view.robots}"/></td>
               <td data-label="<fmt:message key="tasks.column.user"/>"><bdi><c:out value="${view.task.user}"/></bdi></td>
               <td data-label="<fmt:message key="tasks.column.created"/>"><t:time at="${view.task.createdAt}"/></td>

@@ -43,6 +43,7 @@ public enum EventKind {
   ROBOT_LINK_REFUSED("robot.link-refused"),
   ROBOT_LOCATED("robot.located"),
   ROBOT_OUT_OF_SERVICE("robot.out-of-service"),
+  ROBOT_MOVED("robot.moved"),
   ROBOT_PAIRED("robot.paired"),
   ROBOT_PAIRING_REFUSED("robot.pairing-refused"),
   ROBOT_REMOVED("robot.removed"),

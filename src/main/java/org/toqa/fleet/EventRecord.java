@@ -16,6 +16,7 @@ import org.toqa.wording.Sentence;
  * @param task the task it concerns, if any
  * @param robot the robot it concerns, if any
  * @param who a user's name, or {@code toqa}
+ * @param floor the floor it concerns; null: that of its task or robot, or none
  */
 public record EventRecord(
     Instant at,
@@ -23,7 +24,8 @@ public record EventRecord(
     @Nullable Long task,
     @Nullable String robot,
     String who,
-    Sentence sentence) {
+    Sentence sentence,
+    @Nullable String floor) {
 
   /** Characters; a robot may say more than the history keeps. */
   private static final int LONGEST_TEXT = 500;
@@ -38,7 +40,22 @@ public record EventRecord(
       @Nullable String robot,
       String who,
       Sentence sentence) {
-    this(at, kind.text(), task, robot, who, sentence);
+    this(at, kind.text(), task, robot, who, sentence, null);
+  }
+
+  /** With a kind that perhaps only an earlier version knew. */
+  public EventRecord(
+      Instant at,
+      String kind,
+      @Nullable Long task,
+      @Nullable String robot,
+      String who,
+      Sentence sentence) {
+    this(at, kind, task, robot, who, sentence, null);
+  }
+
+  public EventRecord onFloor(String name) {
+    return new EventRecord(at, kind, task, robot, who, sentence, name);
   }
 
   /** In English. */

@@ -100,6 +100,12 @@ public interface Fleet {
    */
   CompletionStage<Answer<RobotView>> removeRobot(String robot, String user);
 
+  /**
+   * A person has carried a robot that is out of service to another floor, and says where it stands.
+   * It stays out of service, without a parking point.
+   */
+  CompletionStage<Answer<RobotView>> moveRobot(String robot, RobotMove move, String user);
+
   /** A person says where a robot is. */
   CompletionStage<Answer<RobotView>> locateRobot(String robot, Pose pose, String user);
 

@@ -93,6 +93,14 @@ public interface FleetStore {
    */
   void removeRobot(String robot, List<EventRecord> events);
 
+  /**
+   * The robot belongs to another floor from now on, and has no parking point there.
+   *
+   * @param move where it stands
+   * @param diameter of the disc that it fills, metres
+   */
+  void moveRobot(String robot, RobotMove move, double diameter, List<EventRecord> events);
+
   /** Whether the robot is in service; a robot that was never taken out is. */
   void saveService(String robot, boolean inService, List<EventRecord> events);
 

@@ -41,6 +41,12 @@ public record RobotRecord(
     return new RobotAddress(name, host, port, fingerprint, gateway);
   }
 
+  /** The same robot on another floor, where it has no parking point. */
+  public RobotRecord movedTo(String other) {
+    return new RobotRecord(
+        name, other, host, port, maxLoad, null, simulated, fingerprint, gateway);
+  }
+
   /** The same robot at another address. */
   public RobotRecord withAddress(String newHost, int newPort) {
     return new RobotRecord(

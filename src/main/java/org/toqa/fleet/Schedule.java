@@ -38,6 +38,16 @@ public record Schedule(
     return fresh.withDue(fresh.nextDueAfter(now).orElse(null));
   }
 
+  /**
+   * The floor where its tasks are.
+   *
+   * @param first that of orders which name none
+   */
+  public String floor(String first) {
+    String named = order.floor();
+    return named == null ? first : named;
+  }
+
   private Schedule withDue(@Nullable Instant moment) {
     return new Schedule(
         id, order, recurrence, until, paused, user, owner, resting, createdAt, moment, lastTask);

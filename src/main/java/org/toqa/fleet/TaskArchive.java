@@ -42,6 +42,7 @@ public interface TaskArchive {
    * @param from the first moment at which it was asked for
    * @param until the first moment after it
    * @param follower the id of the account that follows it
+   * @param floor where it is
    */
   record Filter(
       Set<TaskState> states,
@@ -50,8 +51,21 @@ public interface TaskArchive {
       @Nullable String text,
       @Nullable Instant from,
       @Nullable Instant until,
-      @Nullable Long follower) {
+      @Nullable Long follower,
+      @Nullable String floor) {
     public static final Filter ANY = new Filter(Set.of(), null, null, null, null, null, null);
+
+    /** Of all floors. */
+    public Filter(
+        Set<TaskState> states,
+        @Nullable String robot,
+        @Nullable String user,
+        @Nullable String text,
+        @Nullable Instant from,
+        @Nullable Instant until,
+        @Nullable Long follower) {
+      this(states, robot, user, text, from, until, follower, null);
+    }
   }
 
   /** In which order; what is alike comes newest first. */

@@ -12,7 +12,7 @@ import org.toqa.wording.Sentence;
 
 /** The table of events, within a transaction of somebody else. */
 final class EventTable {
-  static final String COLUMNS = "at, kind, task_id, robot, who, text, said";
+  static final String COLUMNS = "at, kind, task_id, robot, who, text, said, floor";
 
   private EventTable() {}
 
@@ -30,7 +30,9 @@ final class EventTable {
         h.prepareBatch(
             "insert into events ("
                 + COLUMNS
-                + ") values (:at, :kind, :task, :robot, :who, :text, :said)");
+                + ") values (:at, :kind, :task, :robot, :who, :text, :said, coalesce(:floor,"
+                + " (select floor from tasks where id = :task),"
+                + " (select floor from robots where name = :robot)))");
     for (EventRecord e : events) {
       batch
           .bind("at", e.at())
@@ -40,6 +42,7 @@ final class EventTable {
           .bind("who", e.who())
           .bind("text", e.text())
           .bind("said", SentenceJson.write(e.sentence()))
+          .bind("floor", e.floor())
           .add();
     }
     if (batch.size() > 0) {
@@ -86,9 +89,11 @@ final class EventTable {
       @Nullable String robot,
       String who,
       String text,
-      @Nullable String said) {
+      @Nullable String said,
+      @Nullable String floor) {
     EventRecord toRecord() {
-      return new EventRecord(at, kind, taskId, robot, who, SentenceJson.read(said, text));
+      return new EventRecord(
+          at, kind, taskId, robot, who, SentenceJson.read(said, text), floor);
     }
   }
 }

@@ -32,6 +32,7 @@ public final class JdbiEventArchive implements EventArchive {
     add(conditions, "kind not like :h", filter.users() ? null : "user.%");
     add(conditions, "at >= :f", filter.from());
     add(conditions, "at < :g", filter.until());
+    add(conditions, "floor = :i", filter.floor());
     return sql.withHandle(
         h -> {
           Query query =

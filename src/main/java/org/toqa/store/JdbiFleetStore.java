@@ -17,6 +17,7 @@ import org.toqa.fleet.ChargeRecord;
 import org.toqa.fleet.EventRecord;
 import org.toqa.fleet.FleetStore;
 import org.toqa.fleet.Hold;
+import org.toqa.fleet.RobotMove;
 import org.toqa.fleet.RobotRecord;
 import org.toqa.fleet.StoredRobot;
 import org.toqa.fleet.TaskArchive;
@@ -68,6 +69,12 @@ public final class JdbiFleetStore implements FleetStore, TaskArchive {
           }
           return isUpdated;
         });
+  }
+
+  @Override
+  public void moveRobot(
+      String robot, RobotMove move, double diameter, List<EventRecord> events) {
+    change(h -> RobotTable.move(h, robot, move, diameter), events);
   }
 
   @Override

@@ -13,6 +13,7 @@ import java.util.stream.Stream;
 import org.jdbi.v3.core.Handle;
 import org.jdbi.v3.core.Jdbi;
 import org.jdbi.v3.core.statement.Query;
+import org.jspecify.annotations.Nullable;
 import org.toqa.fleet.history.FailureKind;
 import org.toqa.fleet.history.Period;
 import org.toqa.fleet.history.PeriodStatistics;
@@ -31,40 +32,40 @@ public final class JdbiStatisticsArchive implements StatisticsArchive {
   private static final String ORDERED =
       """
       select %1$d as bucket, count(*) as tasks from tasks
-      where created_at >= :border%1$d and created_at < :border%2$d
+      where created_at >= :border%1$d and created_at < :border%2$d FLOOR
       """;
 
   /** Of all states: where one were asked for, H2 would take the index of states. */
   private static final String CHANGED =
       """
       select %1$d as bucket, state, count(*) as tasks from tasks
-      where changed_at >= :border%1$d and changed_at < :border%2$d group by state
+      where changed_at >= :border%1$d and changed_at < :border%2$d FLOOR group by state
       """;
 
   private static final String WAITING =
       """
       select %1$d as bucket, timestampdiff(microsecond, created_at, assigned_at) as took from tasks
-      where assigned_at >= :border%1$d and assigned_at < :border%2$d
+      where assigned_at >= :border%1$d and assigned_at < :border%2$d FLOOR
       """;
 
   private static final String DELIVERY =
       """
       select %1$d as bucket, timestampdiff(microsecond, created_at, delivered_at) as took from tasks
-      where delivered_at >= :border%1$d and delivered_at < :border%2$d
+      where delivered_at >= :border%1$d and delivered_at < :border%2$d FLOOR
       """;
 
   private static final String COMPLETION =
       """
       select %1$d as bucket,
         case when state = 'DONE' then timestampdiff(microsecond, created_at, changed_at) end as took
-      from tasks where changed_at >= :border%1$d and changed_at < :border%2$d
+      from tasks where changed_at >= :border%1$d and changed_at < :border%2$d FLOOR
       """;
 
   private static final String UTILISATION =
       """
       select %1$d as bucket, (select name from robots where id = robot_id) as robot,
         sum(way_mm) as way_mm, sum(battery) as battery, SUMS
-      from robot_use where at >= :border%1$d and at < :border%2$d group by robot_id
+      from robot_use where at >= :border%1$d and at < :border%2$d ROBOTS group by robot_id
       """
           .replace("SUMS", JdbiUtilisationStore.columns("sum(%1$s) as %1$s"));
 
@@ -72,7 +73,7 @@ public final class JdbiStatisticsArchive implements StatisticsArchive {
   private static final String FAILURES =
       """
       select distinct at, kind, task_id, case when kind <> :standstill then robot end as robot
-      from events where kind in (<kinds>) and at >= :begin and at < :end
+      from events where kind in (<kinds>) and at >= :begin and at < :end FLOOR
       """;
 
   private final SqlExecutor sql;
@@ -82,8 +83,8 @@ public final class JdbiStatisticsArchive implements StatisticsArchive {
   }
 
   @Override
-  public PeriodStatistics statistics(Period period) {
-    return sql.withHandle(h -> new PeriodQuery(h, period).read());
+  public PeriodStatistics statistics(Period period, @Nullable String floor) {
+    return sql.withHandle(h -> new PeriodQuery(h, period, floor).read());
   }
 
   private interface RowReader {
@@ -94,11 +95,13 @@ public final class JdbiStatisticsArchive implements StatisticsArchive {
   private static final class PeriodQuery {
     private final Handle handle;
     private final Period period;
+    private final @Nullable String floor;
     private final List<StatisticsAccumulator> buckets;
     private final StatisticsAccumulator total = new StatisticsAccumulator();
 
-    PeriodQuery(Handle handle, Period period) {
+    PeriodQuery(Handle handle, Period period, @Nullable String floor) {
       this.handle = handle;
+      this.floor = floor;
       this.period = period;
       this.buckets =
           Stream.generate(StatisticsAccumulator::new).limit(period.bucketCount()).toList();
@@ -122,7 +125,7 @@ public final class JdbiStatisticsArchive implements StatisticsArchive {
     /** Every row counts for its bucket and for the whole. */
     private void each(String branch, RowReader reader) {
       Query query =
-          handle.createQuery(
+          query(
               IntStream.range(0, period.bucketCount())
                   .mapToObj(i -> branch.formatted(i, i + 1))
                   .collect(Collectors.joining(" union all ")));
@@ -140,9 +143,22 @@ public final class JdbiStatisticsArchive implements StatisticsArchive {
           });
     }
 
+    /** Of the floor alone, where one is asked for. */
+    private Query query(String statement) {
+      if (floor == null) {
+        return handle.createQuery(statement.replace("FLOOR", "").replace("ROBOTS", ""));
+      }
+      return handle
+          .createQuery(
+              statement
+                  .replace("FLOOR", "and floor = :floor")
+                  .replace(
+                      "ROBOTS", "and robot_id in (select id from robots where floor = :floor)"))
+          .bind("floor", floor);
+    }
+
     private void readFailures() {
-      handle
-          .createQuery(FAILURES)
+      query(FAILURES)
           .bind("standstill", FailureKind.STANDSTILL.kind())
           .bindList("kinds", Stream.of(FailureKind.values()).map(FailureKind::kind).toList())
           .bind("begin", period.begin())

@@ -13,6 +13,7 @@ import org.toqa.fleet.ChargeRecord;
 import org.toqa.fleet.ChargeRecord.Turn;
 import org.toqa.fleet.LastPlace;
 import org.toqa.fleet.RobotCapabilities;
+import org.toqa.fleet.RobotMove;
 import org.toqa.fleet.RobotRecord;
 import org.toqa.fleet.StoredRobot;
 import org.toqa.geometry.Pose;
@@ -92,6 +93,14 @@ final class RobotTable {
     forgetPlace(h, robot);
   }
 
+  static void move(Handle h, String robot, RobotMove move, double diameter) {
+    h.createUpdate("update robots set floor = :floor, parking = null, charger = null where id = :id")
+        .bind("floor", move.floor())
+        .bind("id", id(h, robot))
+        .execute();
+    var _ = savePlace(h, robot, move.pose(), diameter, lastDrive(h, robot));
+  }
+
   static void saveFlag(Handle h, String column, String robot, boolean value) {
     h.createUpdate("update robots set " + column + " = :value where id = :id")
         .bind("value", value)
@@ -162,17 +171,19 @@ final class RobotTable {
 
   /** Whatever it has driven until now counts no more. */
   static void forgetPlace(Handle h, String robot) {
-    long lastDrive =
-        h.createQuery("select last_seq from robots where id = :id")
-            .bind("id", id(h, robot))
-            .mapTo(Long.class)
-            .one();
-    placeUpdate(h, robot, lastDrive)
+    placeUpdate(h, robot, lastDrive(h, robot))
         .bindNull("x", Types.DOUBLE)
         .bindNull("y", Types.DOUBLE)
         .bindNull("theta", Types.DOUBLE)
         .bindNull("diameter", Types.DOUBLE)
         .execute();
+  }
+
+  private static long lastDrive(Handle h, String robot) {
+    return h.createQuery("select last_seq from robots where id = :id")
+        .bind("id", id(h, robot))
+        .mapTo(Long.class)
+        .one();
   }
 
   private static Update placeUpdate(Handle h, String robot, long drive) {

@@ -45,6 +45,9 @@ final class TaskQuery {
     if (filter.until() != null) {
       add("created_at < :until", "until", filter.until());
     }
+    if (filter.floor() != null) {
+      add("floor = :floor", "floor", filter.floor());
+    }
     if (filter.follower() != null) {
       add(
           "exists (select 1 from traces f where f.task_id = tasks.id and f.user_id = :follower)",

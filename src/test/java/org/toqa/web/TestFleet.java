@@ -16,6 +16,7 @@ import org.toqa.fleet.FloorEditing;
 import org.toqa.fleet.Hold;
 import org.toqa.fleet.PairingOrder;
 import org.toqa.fleet.RobotChange;
+import org.toqa.fleet.RobotMove;
 import org.toqa.fleet.RobotOrder;
 import org.toqa.fleet.RobotRecord;
 import org.toqa.fleet.RobotState;
@@ -223,6 +224,11 @@ public final class TestFleet extends TasksInMemory {
   void forgetAll() {
     super.forgetAll();
     drawn.forget();
+  }
+
+  @Override
+  public CompletionStage<Answer<RobotView>> moveRobot(String robot, RobotMove move, String user) {
+    return refused("floor", "There is no other floor.");
   }
 
   @Override

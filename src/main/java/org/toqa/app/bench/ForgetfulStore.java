@@ -10,6 +10,7 @@ import org.toqa.fleet.ChargeRecord;
 import org.toqa.fleet.EventRecord;
 import org.toqa.fleet.FleetStore;
 import org.toqa.fleet.Hold;
+import org.toqa.fleet.RobotMove;
 import org.toqa.fleet.RobotRecord;
 import org.toqa.fleet.StoredRobot;
 import org.toqa.geometry.Pose;
@@ -77,6 +78,10 @@ final class ForgetfulStore implements FleetStore {
   public boolean updateRobot(RobotRecord before, RobotRecord after, List<EventRecord> events) {
     return true;
   }
+
+  @Override
+  public void moveRobot(
+      String robot, RobotMove move, double diameter, List<EventRecord> events) {}
 
   @Override
   public void removeRobot(String robot, List<EventRecord> events) {}

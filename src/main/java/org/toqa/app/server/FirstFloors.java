@@ -48,11 +48,12 @@ final class FirstFloors {
     EventRecord event =
         new EventRecord(
             now,
-            EventKind.FLOOR_ADDED,
+            EventKind.FLOOR_ADDED.text(),
             null,
             null,
             EventRecord.SYSTEM,
-            Phrase.FLOOR_IMPORTED.with(map.name()));
+            Phrase.FLOOR_IMPORTED.with(map.name()),
+            map.name());
     store.addFloor(map, new FloorStore.Change(null, now, List.of(event)));
   }
 

@@ -61,7 +61,8 @@ final class AllocatorChoice {
             : Phrase.ALLOCATOR_CHOSEN.with(m.user(), word, floor);
     EventRecord event =
         new EventRecord(
-            state.clock.instant(), EventKind.FLOOR_ALLOCATOR, null, null, m.user(), text);
+                state.clock.instant(), EventKind.FLOOR_ALLOCATOR, null, null, m.user(), text)
+            .onFloor(floor);
     state.writer.tryOnce(
         () -> state.store.saveFloorAllocator(floor, word, List.of(event)),
         () -> self.tell(new DispatchMessage.AllocatorStored(m)),

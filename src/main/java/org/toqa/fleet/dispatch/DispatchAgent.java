@@ -219,7 +219,8 @@ final class DispatchAgent extends AbstractBehavior<DispatchMessage> {
           robotCommands.forwardToFloor(
               m.robot(),
               m.replyTo(),
-              new FloorMessage.RemoveRobot(m.robot(), m.user(), m.replyTo()));
+              new FloorMessage.RemoveRobot(m.robot(), m.move(), m.user(), m.replyTo()));
+      case DispatchMessage.TakeRobot m -> robotCommands.takeRobot(m);
       case DispatchMessage.LocateRobot m -> robotCommands.locateRobot(m);
       case DispatchMessage.SetInService m -> robotCommands.setInService(m);
       case DispatchMessage.HoldRobot m -> robotCommands.holdRobot(m);

@@ -20,6 +20,7 @@ import org.toqa.fleet.PairingOrder;
 import org.toqa.fleet.PathAnswer;
 import org.toqa.fleet.PathQuestion;
 import org.toqa.fleet.RobotChange;
+import org.toqa.fleet.RobotMove;
 import org.toqa.fleet.RobotOrder;
 import org.toqa.fleet.RobotRecord;
 import org.toqa.fleet.RobotView;
@@ -157,7 +158,18 @@ public sealed interface DispatchMessage {
       ActorRef<StatusReply<Answer<RobotView>>> replyTo)
       implements DispatchMessage {}
 
-  record RemoveRobot(String robot, String user, ActorRef<StatusReply<Answer<RobotView>>> replyTo)
+  /**
+   * @param move to where; null: it is gone
+   */
+  record RemoveRobot(
+      String robot,
+      @Nullable RobotMove move,
+      String user,
+      ActorRef<StatusReply<Answer<RobotView>>> replyTo)
+      implements DispatchMessage {}
+
+  /** A robot has been moved here, out of service, and that is safe. */
+  record TakeRobot(RobotRecord robot, ActorRef<StatusReply<Answer<RobotView>>> replyTo)
       implements DispatchMessage {}
 
   /** What a robot has become is safe: it is paired, or has another address or strength. */

@@ -26,7 +26,9 @@ import org.toqa.fleet.PathAnswer;
 import org.toqa.fleet.PathQuestion;
 import org.toqa.fleet.RobotChange;
 import org.toqa.fleet.RobotMessageKind;
+import org.toqa.fleet.RobotMove;
 import org.toqa.fleet.RobotOrder;
+import org.toqa.fleet.RobotRecord;
 import org.toqa.fleet.RobotView;
 import org.toqa.fleet.TaskOrder;
 import org.toqa.fleet.TaskPreview;
@@ -223,7 +225,17 @@ public final class FloorFleet implements AutoCloseable {
   }
 
   public CompletionStage<Answer<RobotView>> removeRobot(String robot, String user) {
-    return dispatch.ask(replyTo -> new DispatchMessage.RemoveRobot(robot, user, replyTo));
+    return dispatch.ask(replyTo -> new DispatchMessage.RemoveRobot(robot, null, user, replyTo));
+  }
+
+  /** It is here no more, and on the other floor from the next start on. */
+  public CompletionStage<Answer<RobotView>> giveRobot(String robot, RobotMove move, String user) {
+    return dispatch.ask(replyTo -> new DispatchMessage.RemoveRobot(robot, move, user, replyTo));
+  }
+
+  /** It was given to this floor, out of service. */
+  public CompletionStage<Answer<RobotView>> takeRobot(RobotRecord robot) {
+    return dispatch.ask(replyTo -> new DispatchMessage.TakeRobot(robot, replyTo));
   }
 
   public CompletionStage<Answer<RobotView>> locateRobot(String robot, Pose pose, String user) {

@@ -50,7 +50,8 @@ final class FloorHoldHandler {
 
               @Override
               public void save(@Nullable Hold next, List<EventRecord> events) {
-                state.store.saveFloorHold(name, next, events);
+                state.store.saveFloorHold(
+                    name, next, events.stream().map(event -> event.onFloor(name)).toList());
               }
 
               @Override

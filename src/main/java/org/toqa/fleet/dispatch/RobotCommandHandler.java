@@ -185,7 +185,12 @@ final class RobotCommandHandler {
   void robotStored(DispatchMessage.RobotStored m) {
     joining.remove(m.robot().name());
     state.robots.put(m.robot().name(), m.robot());
-    state.floorAgent.tell(new FloorMessage.AddRobot(m.robot(), m.replyTo()));
+    state.floorAgent.tell(new FloorMessage.AddRobot(m.robot(), true, m.replyTo()));
+  }
+
+  void takeRobot(DispatchMessage.TakeRobot m) {
+    state.robots.put(m.robot().name(), m.robot());
+    state.floorAgent.tell(new FloorMessage.AddRobot(m.robot(), false, m.replyTo()));
   }
 
   /** Whoever asked for the robot finds it in the snapshot. */

@@ -187,7 +187,7 @@ public final class FloorAgent extends AbstractBehavior<FloorMessage> {
   }
 
   private void addRobot(FloorMessage.AddRobot m) {
-    FloorRobot robot = startRobot(m.robot(), new OperatorSettings(true, false));
+    FloorRobot robot = startRobot(m.robot(), new OperatorSettings(m.inService(), false));
     reports.send();
     manager.tell(new FloorEvent.RobotJoined(reports.view(robot), m.replyTo()));
   }

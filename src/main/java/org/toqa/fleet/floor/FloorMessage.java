@@ -10,6 +10,7 @@ import org.jspecify.annotations.Nullable;
 import org.toqa.fleet.Answer;
 import org.toqa.fleet.ChargeRecord;
 import org.toqa.fleet.Hold;
+import org.toqa.fleet.RobotMove;
 import org.toqa.fleet.RobotRecord;
 import org.toqa.fleet.RobotView;
 import org.toqa.fleet.TaskView;
@@ -99,11 +100,20 @@ public sealed interface FloorMessage {
   record SendHome(String robot, String user, ActorRef<StatusReply<Answer<RobotView>>> replyTo)
       implements FloorMessage {}
 
-  record AddRobot(RobotRecord robot, ActorRef<StatusReply<Answer<RobotView>>> replyTo)
+  record AddRobot(
+      RobotRecord robot, boolean inService, ActorRef<StatusReply<Answer<RobotView>>> replyTo)
       implements FloorMessage {}
 
-  /** A person removes a robot. */
-  record RemoveRobot(String robot, String user, ActorRef<StatusReply<Answer<RobotView>>> replyTo)
+  /**
+   * A person removes a robot.
+   *
+   * @param move to where; null: it is gone
+   */
+  record RemoveRobot(
+      String robot,
+      @Nullable RobotMove move,
+      String user,
+      ActorRef<StatusReply<Answer<RobotView>>> replyTo)
       implements FloorMessage {}
 
   /** That it is removed is safe: now let it have its effect. */

@@ -125,7 +125,7 @@ public final class FloorState {
   /** A line for the history of the robot and of the task that it works for. */
   EventRecord historyEvent(EventKind kind, String robot, String who, Sentence text) {
     Long task = missions.missionOf(robot).map(Mission::id).orElse(null);
-    return new EventRecord(clock.instant(), kind, task, robot, who, text);
+    return new EventRecord(clock.instant(), kind, task, robot, who, text).onFloor(floor.name());
   }
 
   void addToHistory(EventRecord event) {

@@ -9,6 +9,7 @@ import org.toqa.fleet.Answer;
 import org.toqa.fleet.EventKind;
 import org.toqa.fleet.EventRecord;
 import org.toqa.fleet.PendingResume;
+import org.toqa.fleet.RobotMove;
 import org.toqa.fleet.RobotView;
 import org.toqa.fleet.robot.RobotMessage;
 import org.toqa.geometry.Pose;
@@ -67,7 +68,7 @@ final class OperatorCommandHandler {
 
   void removeRobot(FloorMessage.RemoveRobot m) {
     FloorRobot robot = state.robots.get(m.robot());
-    Sentence objection = robot == null ? null : objectionToRemoval(robot);
+    Sentence objection = robot == null ? null : objectionToRemoval(robot, m.move());
     if (robot == null || objection != null) {
       m.replyTo()
           .tell(
@@ -77,19 +78,37 @@ final class OperatorCommandHandler {
                       : new Answer.Conflict<>(objection, null)));
       return;
     }
-    EventRecord event =
-        state.historyEvent(
-            EventKind.ROBOT_REMOVED,
-            m.robot(),
-            m.user(),
-            Phrase.ROBOT_REMOVED.with(m.user(), m.robot()));
     state.writer.tryOnce(
-        () -> state.store.removeRobot(m.robot(), List.of(event)),
+        removal(robot, m),
         () -> self.tell(new FloorMessage.RobotRemoved(m)),
         failure -> m.replyTo().tell(StatusReply.error(failure)));
   }
 
-  private @Nullable Sentence objectionToRemoval(FloorRobot robot) {
+  private Runnable removal(FloorRobot robot, FloorMessage.RemoveRobot m) {
+    RobotMove move = m.move();
+    if (move == null) {
+      EventRecord event =
+          state.historyEvent(
+              EventKind.ROBOT_REMOVED,
+              m.robot(),
+              m.user(),
+              Phrase.ROBOT_REMOVED.with(m.user(), m.robot()));
+      return () -> state.store.removeRobot(m.robot(), List.of(event));
+    }
+    EventRecord event =
+        state.historyEvent(
+            EventKind.ROBOT_MOVED,
+            m.robot(),
+            m.user(),
+            Phrase.ROBOT_MOVED.with(m.user(), m.robot(), state.floor.name(), move.floor()));
+    double diameter = robot.reported.footprint();
+    return () -> state.store.moveRobot(m.robot(), move, diameter, List.of(event));
+  }
+
+  private @Nullable Sentence objectionToRemoval(FloorRobot robot, @Nullable RobotMove move) {
+    if (robot.record().simulated() && move != null) {
+      return Phrase.SIMULATED_CANNOT_BE_MOVED.with(robot.name());
+    }
     if (robot.record().simulated() && robot.reported.isConnected()) {
       return Phrase.SIMULATED_CANNOT_BE_REMOVED.with(robot.name());
     }

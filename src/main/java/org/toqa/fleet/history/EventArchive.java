@@ -34,6 +34,7 @@ public interface EventArchive {
    * @param from the first moment
    * @param until the first moment after it
    * @param users whether what managers did with users is wanted too
+   * @param floor that it concerns
    */
   record Filter(
       @Nullable Long task,
@@ -42,5 +43,19 @@ public interface EventArchive {
       @Nullable String kind,
       @Nullable Instant from,
       @Nullable Instant until,
-      boolean users) {}
+      boolean users,
+      @Nullable String floor) {
+
+    /** Of all floors. */
+    public Filter(
+        @Nullable Long task,
+        @Nullable String robot,
+        @Nullable String user,
+        @Nullable String kind,
+        @Nullable Instant from,
+        @Nullable Instant until,
+        boolean users) {
+      this(task, robot, user, kind, from, until, users, null);
+    }
+  }
 }

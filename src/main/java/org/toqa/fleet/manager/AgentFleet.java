@@ -36,6 +36,7 @@ import org.toqa.fleet.PathAnswer;
 import org.toqa.fleet.PathQuestion;
 import org.toqa.fleet.RobotChange;
 import org.toqa.fleet.RobotMessageKind;
+import org.toqa.fleet.RobotMove;
 import org.toqa.fleet.RobotOrder;
 import org.toqa.fleet.RobotView;
 import org.toqa.fleet.ScheduleStore;
@@ -407,6 +408,12 @@ public final class AgentFleet implements Fleet, AutoCloseable {
                 robots.remove(robot);
               }
             });
+  }
+
+  @Override
+  public CompletionStage<Answer<RobotView>> moveRobot(
+      String robot, RobotMove move, String user) {
+    return new RobotMover(floors, robots).move(robot, move, user);
   }
 
   @Override

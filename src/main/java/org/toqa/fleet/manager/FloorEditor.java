@@ -92,10 +92,10 @@ final class FloorEditor implements FloorEditing, AutoCloseable {
     return CompletableFuture.supplyAsync(change, changes);
   }
 
-  private FloorStore.Change change(EventKind kind, String user, Sentence text) {
+  private FloorStore.Change change(EventKind kind, String user, Sentence text, String floor) {
     Instant at = shared.clock().instant();
     return new FloorStore.Change(
-        user, at, List.of(new EventRecord(at, kind, null, null, user, text)));
+        user, at, List.of(new EventRecord(at, kind, null, null, user, text).onFloor(floor)));
   }
 
   @Override
@@ -109,7 +109,7 @@ final class FloorEditor implements FloorEditing, AutoCloseable {
         () -> {
           FloorMap map = new FloorMap(name, drawing, margins());
           if (!store.addFloor(
-              map, change(EventKind.FLOOR_ADDED, user, Phrase.FLOOR_ADDED.with(user, name)))) {
+              map, change(EventKind.FLOOR_ADDED, user, Phrase.FLOOR_ADDED.with(user, name), name))) {
             return new Answer.Rejected<>("name", Phrase.FLOOR_NAME_TAKEN.with(name));
           }
           try {
@@ -147,7 +147,7 @@ final class FloorEditor implements FloorEditing, AutoCloseable {
     floors.remove(entry); // from now on nobody finds it
     try {
       store.removeFloor(
-          name, change(EventKind.FLOOR_REMOVED, user, Phrase.FLOOR_REMOVED.with(user, name)));
+          name, change(EventKind.FLOOR_REMOVED, user, Phrase.FLOOR_REMOVED.with(user, name), name));
     } catch (StoreException e) {
       floors.add(entry);
       throw e;
@@ -187,11 +187,9 @@ final class FloorEditor implements FloorEditing, AutoCloseable {
 
   /** Those that order tasks on the floor; without a floor, on the first. */
   private List<Schedule> schedules(String floor) {
-    boolean isFirst = floors.all().getFirst().name().equals(floor);
+    String first = floors.all().getFirst().name();
     return schedules.schedules().stream()
-        .filter(
-            schedule ->
-                schedule.order().floor() == null ? isFirst : floor.equals(schedule.order().floor()))
+        .filter(schedule -> schedule.floor(first).equals(floor))
         .toList();
   }
 
@@ -305,7 +303,7 @@ final class FloorEditor implements FloorEditing, AutoCloseable {
           store.publish(
               floor,
               seen,
-              change(EventKind.FLOOR_MAP_PUBLISHED, user, Phrase.MAP_PUBLISHED.with(user, floor)));
+              change(EventKind.FLOOR_MAP_PUBLISHED, user, Phrase.MAP_PUBLISHED.with(user, floor), floor));
       published.ifPresent(map -> answer = new Answer.Accepted<>(map));
       return published;
     }

@@ -11,6 +11,7 @@ import org.toqa.mission.Question;
 import org.toqa.web.Services;
 import org.toqa.web.Texts;
 import org.toqa.web.input.FieldErrors;
+import org.toqa.web.input.FloorQueryReader;
 import org.toqa.web.input.Fields;
 import org.toqa.web.input.Version;
 import org.toqa.wording.Sentence;
@@ -101,6 +102,19 @@ public abstract class ApiHandler {
         .filter(floor -> wanted == null || floor.name().equals(wanted))
         .findFirst()
         .orElseThrow(() -> noSuchFloor(request, floors));
+  }
+
+  /**
+   * The floor of which a list is wanted; all where the query names none.
+   *
+   * @throws Problem.ProblemException there is no such floor
+   */
+  public static FloorQueryReader wantedFloor(HttpServletRequest request) {
+    FieldErrors errors = new FieldErrors();
+    FloorQueryReader reader =
+        new FloorQueryReader(request, errors, services(request).fleet().floors());
+    throwIfAny(errors);
+    return reader;
   }
 
   private static Problem.ProblemException noSuchFloor(

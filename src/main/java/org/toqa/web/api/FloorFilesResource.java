@@ -39,7 +39,7 @@ public final class FloorFilesResource extends ApiHandler {
               response,
               "application/zip",
               FloorWriter.fileName(floor.name()) + ".zip",
-              FloorWriter.mapServerFiles(floor).pack());
+              FloorWriter.mapServerFiles(floor.name(), floor.drawing()).pack());
       case "movingai" ->
           send(
               response,

@@ -30,11 +30,12 @@ public final class HistoryResource extends ApiHandler {
       @Nullable Long task,
       @Nullable String robot,
       String who,
-      Sentence text) {
+      Sentence text,
+      @Nullable String floor) {
     static EntryJson of(Entry entry) {
       EventRecord e = entry.event();
       return new EntryJson(
-          entry.id(), e.at(), e.kind(), e.task(), e.robot(), e.who(), e.sentence());
+          entry.id(), e.at(), e.kind(), e.task(), e.robot(), e.who(), e.sentence(), e.floor());
     }
   }
 

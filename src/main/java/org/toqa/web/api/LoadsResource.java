@@ -55,7 +55,8 @@ public final class LoadsResource extends ApiHandler {
 
   public static void list(HttpServletRequest request, HttpServletResponse response)
       throws IOException {
-    List<LoadView> loads = new Loads(services(request)).all();
+    List<LoadView> loads =
+        wantedFloor(request).filter(new Loads(services(request)).all(), LoadView::floor);
     Json.send(request, response, 200, loads.stream().map(LoadJson::of).toList());
   }
 }

@@ -7,6 +7,7 @@ import java.util.Set;
 import org.jspecify.annotations.Nullable;
 import org.toqa.fleet.Fleet;
 import org.toqa.fleet.PairingOrder;
+import org.toqa.fleet.RobotMove;
 import org.toqa.fleet.RobotChange;
 import org.toqa.fleet.RobotView;
 import org.toqa.geometry.Pose;
@@ -111,8 +112,15 @@ public final class RobotResource extends ApiHandler {
 
   public static void locate(HttpServletRequest request, HttpServletResponse response)
       throws IOException {
-    Pose pose = readBody(request, RobotResource::readPose);
+    Pose pose = readBody(request, RobotOrderReader::readPosition);
     command(request, response, (fleet, robot, user) -> fleet.locateRobot(robot, pose, user));
+  }
+
+  public static void move(HttpServletRequest request, HttpServletResponse response)
+      throws IOException {
+    RobotMove move =
+        readBody(request, fields -> RobotOrderReader.readMove(fields, RobotOrderReader::readPose));
+    command(request, response, (fleet, robot, user) -> fleet.moveRobot(robot, move, user));
   }
 
   private static void command(
@@ -129,16 +137,5 @@ public final class RobotResource extends ApiHandler {
                 services(request).fleet(),
                 RequestPath.parameter(request, "name"),
                 Caller.of(request).name())));
-  }
-
-  private static Pose readPose(Fields fields) {
-    InputRules rules = fields.rules();
-    Pose pose =
-        new Pose(
-            rules.coordinateOfPose("x", fields.number("x")),
-            rules.coordinateOfPose("y", fields.number("y")),
-            rules.angle("theta", fields.number("theta")));
-    fields.refuseUnknown();
-    return pose;
   }
 }

@@ -19,7 +19,9 @@ public final class RobotsResource extends ApiHandler {
         request,
         response,
         200,
-        services(request).fleet().snapshots().latest().robots().stream()
+        wantedFloor(request)
+            .filter(services(request).fleet().snapshots().latest().robots(), RobotView::floor)
+            .stream()
             .map(RobotJson::of)
             .toList());
   }

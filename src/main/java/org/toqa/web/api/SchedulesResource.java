@@ -20,7 +20,13 @@ public final class SchedulesResource extends ApiHandler {
         request,
         response,
         200,
-        services(request).schedules().schedules().stream().map(ScheduleJson::of).toList());
+        wantedFloor(request)
+            .filter(
+                services(request).schedules().schedules(),
+                schedule -> schedule.floor(services(request).fleet().floors().getFirst().name()))
+            .stream()
+            .map(ScheduleJson::of)
+            .toList());
   }
 
   public static void add(HttpServletRequest request, HttpServletResponse response)

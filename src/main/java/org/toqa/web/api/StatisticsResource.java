@@ -7,6 +7,7 @@ import org.toqa.fleet.history.Period;
 import org.toqa.fleet.history.PeriodStatistics;
 import org.toqa.web.Services;
 import org.toqa.web.input.FieldErrors;
+import org.toqa.web.input.FloorQueryReader;
 import org.toqa.web.input.PeriodReader;
 
 /** A period in numbers. */
@@ -22,7 +23,8 @@ public final class StatisticsResource extends ApiHandler {
   static PeriodStatistics figures(HttpServletRequest request, Services services) {
     FieldErrors errors = new FieldErrors();
     Period period = new PeriodReader(request, errors).period(services.clock().instant());
+    String floor = new FloorQueryReader(request, errors, services.fleet().floors()).floor();
     throwIfAny(errors);
-    return services.statistics().statistics(period);
+    return services.statistics().statistics(period, floor);
   }
 }

@@ -28,7 +28,8 @@ public final class HistoryQueryReader {
         kind(),
         fields.from(),
         fields.until(),
-        Caller.of(request).isManager());
+        Caller.of(request).isManager(),
+        fields.text("floor"));
   }
 
   /** The id of the event before which it begins. */

@@ -6,7 +6,10 @@ import java.time.Instant;
 import java.time.LocalDate;
 import java.time.OffsetDateTime;
 import java.time.ZoneOffset;
+import java.util.List;
+import java.util.stream.Collectors;
 import org.jspecify.annotations.Nullable;
+import org.toqa.grid.FloorMap;
 import org.toqa.web.Texts;
 
 /**
@@ -32,6 +35,21 @@ final class QueryFields {
   /** The moment {@code until}; a day counts to its end. */
   @Nullable Instant until() {
     return moment("until", 1);
+  }
+
+  /**
+   * The floor that is wanted alone; null: all.
+   *
+   * @param floors those that there are
+   */
+  @Nullable String floor(List<FloorMap> floors) {
+    String given = text("floor");
+    if (given != null && floors.stream().noneMatch(floor -> floor.name().equals(given))) {
+      String names = floors.stream().map(FloorMap::name).collect(Collectors.joining(", "));
+      errors.add("floor", Texts.of(request).get("problem.noSuchFloor", names));
+      return null;
+    }
+    return given;
   }
 
   @Nullable Long number(String name) {

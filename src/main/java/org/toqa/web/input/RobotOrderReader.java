@@ -2,9 +2,12 @@ package org.toqa.web.input;
 
 import java.util.Optional;
 import java.util.Set;
+import java.util.function.Function;
 import org.toqa.fleet.PairingOrder;
 import org.toqa.fleet.RobotChange;
+import org.toqa.fleet.RobotMove;
 import org.toqa.fleet.RobotOrder;
+import org.toqa.geometry.Pose;
 import org.toqa.link.trust.PairingCode;
 
 /**
@@ -24,7 +27,8 @@ public final class RobotOrderReader {
             rules.load("maxLoad", fields.number("maxLoad")),
             fields.text("parking"),
             rules.pairingCode("code", fields.text("code")),
-            rules.gateway("gateway", fields.text("gateway")));
+            rules.gateway("gateway", fields.text("gateway")),
+            fields.text("floor"));
     fields.refuseUnknown();
     return order;
   }
@@ -50,6 +54,46 @@ public final class RobotOrderReader {
     }
     fields.refuseUnknown();
     return reasons;
+  }
+
+  /** Where a robot is, with its heading {@code theta} in radians. */
+  public static Pose readPosition(Fields fields) {
+    Pose pose = readPose(fields);
+    fields.refuseUnknown();
+    return pose;
+  }
+
+  /** The same where other fields follow. */
+  public static Pose readPose(Fields fields) {
+    InputRules rules = fields.rules();
+    return new Pose(
+        rules.coordinateOfPose("x", fields.number("x")),
+        rules.coordinateOfPose("y", fields.number("y")),
+        rules.angle("theta", fields.number("theta")));
+  }
+
+  /** As a form has it: its {@code heading} in degrees. */
+  public static Pose readEnteredPose(Fields fields) {
+    InputRules rules = fields.rules();
+    return new Pose(
+        rules.coordinateOfPose("x", fields.number("x")),
+        rules.coordinateOfPose("y", fields.number("y")),
+        Math.toRadians(rules.angle("heading", fields.number("heading"))));
+  }
+
+  /**
+   * To which floor a robot was carried, and where it stands there.
+   *
+   * @param pose reads where
+   */
+  public static RobotMove readMove(Fields fields, Function<Fields, Pose> pose) {
+    String floor = fields.text("floor");
+    if (floor == null) {
+      fields.errors().add(fields.path("floor"), fields.texts().get("error.floor.missing"));
+    }
+    RobotMove move = new RobotMove(floor == null ? "" : floor, pose.apply(fields));
+    fields.refuseUnknown();
+    return move;
   }
 
   /** What pairs a robot that is known; empty where a sentence was filed. */

@@ -44,7 +44,8 @@ public final class TaskQueryReader {
         text == null ? null : Digits.latin(text),
         fields.from(),
         fields.until(),
-        follower(fields.text("followed")));
+        follower(fields.text("followed")),
+        fields.text("floor"));
   }
 
   /** The caller, where he wants those that he follows. */

@@ -5,6 +5,7 @@ import java.io.IOException;
 import java.io.OutputStream;
 import java.nio.charset.StandardCharsets;
 import java.time.Duration;
+import java.util.Optional;
 import java.util.function.IntSupplier;
 import org.jspecify.annotations.Nullable;
 import org.toqa.fleet.FleetSnapshot;
@@ -37,11 +38,13 @@ final class EventStream implements Runnable {
   private final Caller caller;
   private final SnapshotEventWriter events;
   private final boolean changesOnly;
+  private final @Nullable String floor;
   private final @Nullable String lastId;
   private final IntSupplier readerCount;
 
   /**
    * @param changesOnly whether the reader puts snapshots together from what changed
+   * @param floor the only one that is told of, whose end is that of the stream; null: all are
    * @param lastId what the reader says it has; an id that is none counts as nothing
    * @param readerCount how many there are
    */
@@ -51,6 +54,7 @@ final class EventStream implements Runnable {
       Caller caller,
       SnapshotEventWriter events,
       boolean changesOnly,
+      @Nullable String floor,
       @Nullable String lastId,
       IntSupplier readerCount) {
     this.async = async;
@@ -58,6 +62,7 @@ final class EventStream implements Runnable {
     this.caller = caller;
     this.events = events;
     this.changesOnly = changesOnly;
+    this.floor = floor;
     this.lastId = lastId;
     this.readerCount = readerCount;
   }
@@ -86,7 +91,14 @@ final class EventStream implements Runnable {
   }
 
   private void stream(OutputStream out) throws IOException, InterruptedException {
-    SnapshotFeed feed = services.fleet().snapshots();
+    Optional<SnapshotFeed> wanted =
+        floor == null
+            ? Optional.of(services.fleet().snapshots())
+            : services.fleet().snapshots(floor);
+    if (wanted.isEmpty()) {
+      return;
+    }
+    SnapshotFeed feed = wanted.get();
     out.write(RETRY);
     FleetSnapshot sent = feed.latest();
     send(out, events.id(sent).equals(lastId) ? ALIVE : events.snapshotEvent(sent));
@@ -95,7 +107,7 @@ final class EventStream implements Runnable {
       Thread.sleep(interval());
       FleetSnapshot newest = feed.awaitNewer(sent.version(), KEEP_ALIVE);
       if (System.nanoTime() - checked >= KEEP_ALIVE.toNanos()) {
-        if (caller.credential().loginWithoutUse(services).isEmpty()) {
+        if (caller.credential().loginWithoutUse(services).isEmpty() || isFloorGone()) {
           return;
         }
         checked = System.nanoTime();
@@ -103,6 +115,10 @@ final class EventStream implements Runnable {
       send(out, newest.version() > sent.version() ? event(sent, newest) : ALIVE);
       sent = newest;
     }
+  }
+
+  private boolean isFloorGone() {
+    return floor != null && services.fleet().snapshots(floor).isEmpty();
   }
 
   private byte[] event(FleetSnapshot sent, FleetSnapshot newest) {

@@ -23,11 +23,15 @@ public final class EventStreams implements AutoCloseable {
   /** The servlet context's attribute that holds them. */
   public static final String ATTRIBUTE = EventStreams.class.getName();
 
-  private final Map<Locale, SnapshotEventWriter> writers =
-      Arrays.stream(Language.values())
-          .map(Language::locale)
-          .collect(Collectors.toMap(Function.identity(), SnapshotEventWriter::new));
+  private final Map<Kind, SnapshotEventWriter> writers = new ConcurrentHashMap<>();
   private final Set<Thread> threads = ConcurrentHashMap.newKeySet();
+
+  /**
+   * Streams that say the same.
+   *
+   * @param floor the only one that is told of; null: all are
+   */
+  private record Kind(Locale locale, @Nullable String floor) {}
 
   public static EventStreams of(ServletContext context) {
     return (EventStreams)
@@ -40,6 +44,7 @@ public final class EventStreams implements AutoCloseable {
    * them.
    *
    * @param changesOnly whether the reader puts snapshots together from what changed
+   * @param floor the only one that is told of; null: all are
    * @param places are given up at its end
    * @param lastId what the reader says it has; an id that is none counts as nothing
    */
@@ -49,6 +54,7 @@ public final class EventStreams implements AutoCloseable {
       Caller caller,
       Locale locale,
       boolean changesOnly,
+      @Nullable String floor,
       StreamPlaces places,
       @Nullable String lastId) {
     Thread thread =
@@ -59,8 +65,10 @@ public final class EventStreams implements AutoCloseable {
                     async,
                     services,
                     caller,
-                    Objects.requireNonNull(writers.get(locale)),
+                    writers.computeIfAbsent(
+                        new Kind(locale, floor), _ -> new SnapshotEventWriter(locale)),
                     changesOnly,
+                    floor,
                     lastId,
                     threads::size));
     async.addListener(new StreamEndListener(thread, places, services.metrics()));

@@ -21,6 +21,7 @@ public final class EventsResource extends ApiHandler {
       return;
     }
     boolean changesOnly = wantsChangesOnly(request);
+    String floor = wantedFloor(request).floor();
     StreamPlaces places = new StreamPlaces();
     Optional<StreamPlaces.Refusal> refusal =
         places.take(
@@ -41,6 +42,7 @@ public final class EventsResource extends ApiHandler {
             Caller.of(request),
             Texts.of(request).locale(),
             changesOnly,
+            floor,
             places,
             request.getHeader("Last-Event-ID"));
   }

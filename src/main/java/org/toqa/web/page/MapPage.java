@@ -10,7 +10,6 @@ import org.toqa.fleet.RobotState;
 public final class MapPage extends PageHandler {
   public static void show(HttpServletRequest request, HttpServletResponse response)
       throws ServletException, IOException {
-    request.setAttribute("floors", services(request).fleet().floors());
     request.setAttribute("floorViews", services(request).fleet().snapshots().latest().floors());
     request.setAttribute("allocators", services(request).fleet().snapshots().latest().allocators());
     request.setAttribute("robotStates", RobotState.values());

@@ -170,7 +170,6 @@ public final class NewTaskPage extends PageHandler {
             .findFirst()
             .orElseGet(floors::getFirst);
     request.setAttribute("weekdays", DayOfWeek.values());
-    request.setAttribute("floors", floors);
     request.setAttribute("floor", floor);
   }
 }

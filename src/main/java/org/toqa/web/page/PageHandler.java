@@ -17,6 +17,7 @@ import org.toqa.web.Texts;
 import org.toqa.web.access.CsrfToken;
 import org.toqa.web.input.FieldErrors;
 import org.toqa.web.input.Fields;
+import org.toqa.web.input.FloorQueryReader;
 import org.toqa.wording.Sentence;
 
 /**
@@ -51,6 +52,7 @@ abstract class PageHandler {
     FleetSnapshot fleet = services(request).fleet().snapshots().latest();
     request.setAttribute("pause", fleet.pause());
     request.setAttribute("alerts", fleet.alerts());
+    request.setAttribute("floors", services(request).fleet().floors());
     request.getRequestDispatcher("/WEB-INF/views/" + view + ".jsp").forward(request, response);
   }
 
@@ -102,6 +104,11 @@ abstract class PageHandler {
   static void sendNotFound(HttpServletRequest request, HttpServletResponse response, String key)
       throws IOException {
     ErrorResponse.send(request, response, 404, Texts.of(request).get(key));
+  }
+
+  /** The floor of which a list is wanted; all where the query names none that there is. */
+  static FloorQueryReader wantedFloor(HttpServletRequest request) {
+    return new FloorQueryReader(request, new FieldErrors(), services(request).fleet().floors());
   }
 
   /** What a form orders; empty, with a sentence in the errors, where a field is wrong. */

@@ -98,7 +98,13 @@ public final class RobotPage extends PageHandler {
 
   public static void locate(HttpServletRequest request, HttpServletResponse response)
       throws ServletException, IOException {
-    command(request, response, "locate", form(RobotPage::readPose), Fleet::locateRobot);
+    command(request, response, "locate", form(RobotOrderReader::readEnteredPose), Fleet::locateRobot);
+  }
+
+  public static void move(HttpServletRequest request, HttpServletResponse response)
+      throws ServletException, IOException {
+    command(request, response, "move", form(fields -> RobotOrderReader.readMove(fields, RobotOrderReader::readEnteredPose)),
+        Fleet::moveRobot);
   }
 
   private static void command(
@@ -176,15 +182,6 @@ public final class RobotPage extends PageHandler {
         .differences();
   }
 
-  /** The form has degrees. */
-  private static Pose readPose(Fields fields) {
-    InputRules rules = fields.rules();
-    return new Pose(
-        rules.coordinateOfPose("x", fields.number("x")),
-        rules.coordinateOfPose("y", fields.number("y")),
-        Math.toRadians(rules.angle("heading", fields.number("heading"))));
-  }
-
   private static Optional<RobotView> addRobotAttributes(HttpServletRequest request) {
     String name = RequestPath.parameter(request, "name");
     FleetSnapshot fleet = services(request).fleet().snapshots().latest();
@@ -203,7 +200,6 @@ public final class RobotPage extends PageHandler {
               BatteryPicture.of(
                   services(request).tracks().batteryLevels(name, since), since, fleet.at()));
         });
-    request.setAttribute("floors", services(request).fleet().floors());
     request.setAttribute("gateways", services(request).fleet().gateways());
     request.setAttribute("trackHours", TRACK_HOURS);
     request.setAttribute(

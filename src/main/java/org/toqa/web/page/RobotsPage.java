@@ -42,8 +42,10 @@ public final class RobotsPage extends PageHandler {
   }
 
   private static void addFleetAttributes(HttpServletRequest request) {
-    request.setAttribute("robots", services(request).fleet().snapshots().latest().robots());
-    request.setAttribute("floors", services(request).fleet().floors());
+    request.setAttribute(
+        "robots",
+        wantedFloor(request)
+            .filter(services(request).fleet().snapshots().latest().robots(), RobotView::floor));
     request.setAttribute("gateways", services(request).fleet().gateways());
   }
 }

@@ -56,7 +56,13 @@ public final class SchedulesPage extends PageHandler {
     Caller caller = Caller.of(request);
     request.setAttribute(
         "entries",
-        services(request).schedules().schedules().stream().map(s -> Entry.of(s, caller)).toList());
+        wantedFloor(request)
+            .filter(
+                services(request).schedules().schedules(),
+                schedule -> schedule.floor(services(request).fleet().floors().getFirst().name()))
+            .stream()
+            .map(schedule -> Entry.of(schedule, caller))
+            .toList());
   }
 
   public static void pause(HttpServletRequest request, HttpServletResponse response)

@@ -122,12 +122,18 @@ final class FormCases {
             "robots",
             "/robots",
             Map.of("name", "Spare", "host", "127.0.0.1", "port", "9", "maxLoad", "5"),
-            refused("name", "host", "port", "maxLoad", "parking", "code", "gateway")),
+            refused("name", "host", "port", "maxLoad", "parking", "code", "gateway", "floor")),
         FormCase.of(
                 "robots/Absent",
                 "/robots/{name}/pair",
                 Map.of("host", "127.0.0.3", "code", AttackedServer.PAIRING_CODE),
                 and(refused("host", "port", "code"), Map.of("version", CONFLICT)))
+            .answeredWith(422),
+        FormCase.of(
+                "robots/Absent",
+                "/robots/{name}/move",
+                Map.of("floor", "{floor}", "x", "1", "y", "1", "heading", "0"),
+                refused("floor", "x", "y", "heading"))
             .answeredWith(422),
         FormCase.of(
                 "robots/Absent",

@@ -101,8 +101,14 @@ final class OrderCases {
                 "/host", REFUSED,
                 "/parking", REFUSED,
                 "/code", REFUSED,
-                "/gateway", REFUSED),
+                "/gateway", REFUSED,
+                "/floor", REFUSED),
             201),
+        post(
+            "robots/{name}/move",
+            "{'floor':'{floor}','x':1,'y':1,'theta':0}",
+            Map.of("/floor", REFUSED),
+            422),
         new OrderCase(
             "PUT",
             "robots/{name}",

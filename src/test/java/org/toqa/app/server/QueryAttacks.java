@@ -13,6 +13,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.TreeMap;
+import java.util.stream.Stream;
 import java.util.TreeSet;
 import org.toqa.web.TestClient;
 import org.toqa.web.route.Route;
@@ -28,7 +29,8 @@ final class QueryAttacks {
   private static final JsonMapper JSON = JsonMapper.shared();
 
   private static final Map<String, Verdict> PERIOD =
-      Map.of("period", REFUSED, "from", REFUSED, "to", REFUSED, "zone", REFUSED);
+      Map.of(
+          "period", REFUSED, "from", REFUSED, "to", REFUSED, "zone", REFUSED, "floor", REFUSED);
 
   private static final Map<String, Map<String, Verdict>> PAGES =
       Map.of(
@@ -46,7 +48,7 @@ final class QueryAttacks {
           "/api/v1/path",
           Map.of("floor", NOT_FOUND, "start", REFUSED, "goal", REFUSED),
           "/api/v1/events",
-          Map.of("changes", UNREADABLE),
+          Map.of("changes", UNREADABLE, "floor", REFUSED),
           "/api/v1/tasks",
           Map.of(
               "state",
@@ -64,7 +66,9 @@ final class QueryAttacks {
               "sort",
               REFUSED,
               "followed",
-              REFUSED),
+              REFUSED,
+              "floor",
+              TAKEN),
           "/api/v1/tracks",
           Map.of("floor", NOT_FOUND, "from", REFUSED, "until", REFUSED),
           "/api/v1/statistics",
@@ -77,7 +81,15 @@ final class QueryAttacks {
           PERIOD,
           "/api/v1/history",
           Map.of(
-              "robot", TAKEN, "user", TAKEN, "kind", REFUSED, "from", REFUSED, "until", REFUSED));
+              "robot", TAKEN, "user", TAKEN, "kind", REFUSED, "from", REFUSED, "until", REFUSED,
+              "floor", TAKEN));
+
+  /** Lists of one floor or of all. */
+  private static final Map<String, Map<String, Verdict>> LISTS =
+      Map.of(
+          "/api/v1/robots", Map.of("floor", REFUSED),
+          "/api/v1/loads", Map.of("floor", REFUSED),
+          "/api/v1/schedules", Map.of("floor", REFUSED));
 
   /** Those that are numbers, which the document of the API does not call words. */
   private static final Map<String, Map<String, Verdict>> NUMBERS =
@@ -96,7 +108,7 @@ final class QueryAttacks {
 
   void attack() {
     try (TestClient stranger = run.server().stranger()) {
-      for (Map<String, Map<String, Verdict>> queries : List.of(PAGES, API, NUMBERS)) {
+      for (Map<String, Map<String, Verdict>> queries : List.of(PAGES, API, LISTS, NUMBERS)) {
         queries.forEach(
             (path, parameters) ->
                 parameters.forEach(
@@ -134,11 +146,13 @@ final class QueryAttacks {
   /** The words in addresses of the API that are attacked, by route. */
   static Map<String, Set<String>> attacked() {
     Map<String, Set<String>> attacked = new TreeMap<>();
-    API.forEach(
-        (path, words) ->
-            attacked.put(
-                Routes.find(path).orElseThrow().routes().getFirst().path(),
-                new TreeSet<>(words.keySet())));
+    Stream.of(API, LISTS)
+        .flatMap(queries -> queries.entrySet().stream())
+        .forEach(
+            query ->
+                attacked.put(
+                    Routes.find(query.getKey()).orElseThrow().routes().getFirst().path(),
+                    query.getValue().keySet()));
     return attacked;
   }
 

@@ -1,0 +1,93 @@
+package org.toqa.fleet.manager;
+
+import java.time.Duration;
+import java.util.Optional;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.CompletionStage;
+import java.util.concurrent.Executor;
+import java.util.concurrent.TimeUnit;
+import org.toqa.fleet.Answer;
+import org.toqa.fleet.RobotMove;
+import org.toqa.fleet.RobotRecord;
+import org.toqa.fleet.RobotView;
+import org.toqa.fleet.floor.PlaceCheck;
+import org.toqa.grid.Disc;
+import org.toqa.wording.Phrase;
+
+/**
+ * Moves a robot that was carried to another floor.
+ *
+ * <ol>
+ *   <li>Its floor gives it up, if it is out of service and has no task; where it is now is stored
+ *       with that.
+ *   <li>The other floor takes it, still out of service.
+ *   <li>The robot is told where it stands, as soon as it is connected.
+ * </ol>
+ */
+final class RobotMover {
+  private static final Duration PAUSE = Duration.ofMillis(200);
+  private static final int MOST_TRIES = 30;
+
+  private final FloorDirectory floors;
+  private final RobotFloors robots;
+
+  RobotMover(FloorDirectory floors, RobotFloors robots) {
+    this.floors = floors;
+    this.robots = robots;
+  }
+
+  CompletionStage<Answer<RobotView>> move(String robot, RobotMove move, String user) {
+    Optional<FloorEntry> from = robots.floorOf(robot).flatMap(floors::find);
+    Optional<FloorEntry> to = floors.find(move.floor());
+    if (from.isEmpty()) {
+      return done(new Answer.Unknown<>(Phrase.NO_SUCH_ROBOT.with(robot)));
+    }
+    if (to.isEmpty()) {
+      return done(new Answer.Rejected<>("floor", floors.noSuchFloor(move.floor())));
+    }
+    if (from.get() == to.get()) {
+      return done(new Answer.Rejected<>("floor", Phrase.ALREADY_ON_FLOOR.with(robot, move.floor())));
+    }
+    if (!new Disc(PlaceCheck.SMALLEST_RADIUS)
+        .isFreeAt(to.get().map().grid(), move.pose().position())) {
+      return done(new Answer.Rejected<>("x", Phrase.CANNOT_STAND_THERE.with()));
+    }
+    return from.get()
+        .ask(floor -> floor.giveRobot(robot, move, user))
+        .thenCompose(
+            given ->
+                given instanceof Answer.Accepted<RobotView>(RobotView view)
+                    ? take(view.record(), to.get(), move, user)
+                    : done(given));
+  }
+
+  private CompletionStage<Answer<RobotView>> take(
+      RobotRecord robot, FloorEntry to, RobotMove move, String user) {
+    robots.set(robot.name(), to.name());
+    return to.ask(floor -> floor.takeRobot(robot.movedTo(to.name())))
+        .thenCompose(taken -> locate(robot.name(), to, move, user, MOST_TRIES));
+  }
+
+  private CompletionStage<Answer<RobotView>> locate(
+      String robot, FloorEntry to, RobotMove move, String user, int triesLeft) {
+    return to.ask(floor -> floor.locateRobot(robot, move.pose(), user))
+        .thenCompose(
+            located -> {
+              if (located instanceof Answer.Accepted<RobotView>) {
+                return done(located);
+              }
+              if (triesLeft == 0) {
+                return done(
+                    new Answer.Conflict<>(Phrase.MOVED_NOT_LOCATED.with(robot, to.name()), null));
+              }
+              Executor later =
+                  CompletableFuture.delayedExecutor(PAUSE.toMillis(), TimeUnit.MILLISECONDS);
+              return CompletableFuture.runAsync(() -> {}, later)
+                  .thenCompose(_ -> locate(robot, to, move, user, triesLeft - 1));
+            });
+  }
+
+  private static <T> CompletionStage<Answer<T>> done(Answer<T> answer) {
+    return CompletableFuture.completedFuture(answer);
+  }
+}
