@@ -81,7 +81,10 @@ class ArchitectureTest {
   void onlyTheFleetIsMadeOfActors() {
     onlyIn(
         new String[] {
-          "org.toqa.fleet.dispatch..", "org.toqa.fleet.floor..", "org.toqa.fleet.robot.."
+          "org.toqa.fleet.manager..",
+          "org.toqa.fleet.dispatch..",
+          "org.toqa.fleet.floor..",
+          "org.toqa.fleet.robot.."
         },
         "org.apache.pekko..");
   }

@@ -71,12 +71,13 @@ public record EventRecord(
    */
   public static EventRecord added(TransportTask task) {
     return new EventRecord(
-        task.createdAt(),
-        EventKind.TASK_ADDED,
-        task.id(),
-        null,
-        task.user(),
-        Phrase.ASKED_FOR_BY.with(task.user()));
+            task.createdAt(),
+            EventKind.TASK_ADDED,
+            task.id(),
+            null,
+            task.user(),
+            Phrase.ASKED_FOR_BY.with(task.user()))
+        .onFloor(task.floor());
   }
 
   /** What the history says of a mission's step. */
@@ -84,9 +85,10 @@ public record EventRecord(
     String robot = event instanceof MissionEvent.OfRobot e ? e.robot() : null;
     String who = event instanceof MissionEvent.OperatorCommand command ? command.user() : SYSTEM;
     long task = step.mission().id();
+    String floor = step.mission().task().floor();
     EventKind kind = EventKind.of(event);
     return step.history().stream()
-        .map(said -> new EventRecord(at, kind, task, robot, who, said))
+        .map(said -> new EventRecord(at, kind, task, robot, who, said).onFloor(floor))
         .toList();
   }
 }

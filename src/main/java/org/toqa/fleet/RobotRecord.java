@@ -43,8 +43,7 @@ public record RobotRecord(
 
   /** The same robot on another floor, where it has no parking point. */
   public RobotRecord movedTo(String other) {
-    return new RobotRecord(
-        name, other, host, port, maxLoad, null, simulated, fingerprint, gateway);
+    return new RobotRecord(name, other, host, port, maxLoad, null, simulated, fingerprint, gateway);
   }
 
   /** The same robot at another address. */

@@ -92,8 +92,7 @@ final class EventTable {
       @Nullable String said,
       @Nullable String floor) {
     EventRecord toRecord() {
-      return new EventRecord(
-          at, kind, taskId, robot, who, SentenceJson.read(said, text), floor);
+      return new EventRecord(at, kind, taskId, robot, who, SentenceJson.read(said, text), floor);
     }
   }
 }

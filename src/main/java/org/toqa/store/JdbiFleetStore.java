@@ -72,8 +72,7 @@ public final class JdbiFleetStore implements FleetStore, TaskArchive {
   }
 
   @Override
-  public void moveRobot(
-      String robot, RobotMove move, double diameter, List<EventRecord> events) {
+  public void moveRobot(String robot, RobotMove move, double diameter, List<EventRecord> events) {
     change(h -> RobotTable.move(h, robot, move, diameter), events);
   }
 

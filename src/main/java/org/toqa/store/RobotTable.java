@@ -94,7 +94,8 @@ final class RobotTable {
   }
 
   static void move(Handle h, String robot, RobotMove move, double diameter) {
-    h.createUpdate("update robots set floor = :floor, parking = null, charger = null where id = :id")
+    h.createUpdate(
+            "update robots set floor = :floor, parking = null, charger = null where id = :id")
         .bind("floor", move.floor())
         .bind("id", id(h, robot))
         .execute();

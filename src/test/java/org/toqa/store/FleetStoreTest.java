@@ -89,7 +89,8 @@ class FleetStoreTest extends FleetDatabaseTest {
     store.saveMission(step.mission(), AT, List.of());
     Mission.Step next = step.mission().apply(new MissionEvent.PhaseEnded("r1", Phase.TO_OBJECT));
     EventRecord event =
-        new EventRecord(AT, "task.at-object", task.id(), "r1", "toqa", Sentence.verbatim("here"));
+        new EventRecord(AT, "task.at-object", task.id(), "r1", "toqa", Sentence.verbatim("here"))
+            .onFloor("lab");
     store.saveMission(next.mission(), AT.plusMillis(5), List.of(event));
 
     OpenTask open = store.openTasks().getFirst();

@@ -160,8 +160,8 @@ class HistoryTest extends DatabaseTest {
     store.saveRobot(RobotRecord.direct("r1", "lab", "127.0.0.1", 7275, 5, null, true, null));
     List<EventRecord> events =
         List.of(
-            event(AT, "robot.held", null, "r1", "Max", "Max put r1 on hold"),
-            event(AT, "robot.held", null, "r1", "Max", "and said why"));
+            event(AT, "robot.held", null, "r1", "Max", "Max put r1 on hold").onFloor("lab"),
+            event(AT, "robot.held", null, "r1", "Max", "and said why").onFloor("lab"));
 
     store.saveHold("r1", true, events);
     store.saveHold("r1", true, events);

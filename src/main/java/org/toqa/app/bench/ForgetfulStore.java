@@ -80,8 +80,7 @@ final class ForgetfulStore implements FleetStore {
   }
 
   @Override
-  public void moveRobot(
-      String robot, RobotMove move, double diameter, List<EventRecord> events) {}
+  public void moveRobot(String robot, RobotMove move, double diameter, List<EventRecord> events) {}
 
   @Override
   public void removeRobot(String robot, List<EventRecord> events) {}

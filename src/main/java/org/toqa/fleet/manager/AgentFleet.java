@@ -411,8 +411,7 @@ public final class AgentFleet implements Fleet, AutoCloseable {
   }
 
   @Override
-  public CompletionStage<Answer<RobotView>> moveRobot(
-      String robot, RobotMove move, String user) {
+  public CompletionStage<Answer<RobotView>> moveRobot(String robot, RobotMove move, String user) {
     return new RobotMover(floors, robots).move(robot, move, user);
   }
 

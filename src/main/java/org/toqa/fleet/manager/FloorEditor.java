@@ -109,7 +109,8 @@ final class FloorEditor implements FloorEditing, AutoCloseable {
         () -> {
           FloorMap map = new FloorMap(name, drawing, margins());
           if (!store.addFloor(
-              map, change(EventKind.FLOOR_ADDED, user, Phrase.FLOOR_ADDED.with(user, name), name))) {
+              map,
+              change(EventKind.FLOOR_ADDED, user, Phrase.FLOOR_ADDED.with(user, name), name))) {
             return new Answer.Rejected<>("name", Phrase.FLOOR_NAME_TAKEN.with(name));
           }
           try {
@@ -303,7 +304,11 @@ final class FloorEditor implements FloorEditing, AutoCloseable {
           store.publish(
               floor,
               seen,
-              change(EventKind.FLOOR_MAP_PUBLISHED, user, Phrase.MAP_PUBLISHED.with(user, floor), floor));
+              change(
+                  EventKind.FLOOR_MAP_PUBLISHED,
+                  user,
+                  Phrase.MAP_PUBLISHED.with(user, floor),
+                  floor));
       published.ifPresent(map -> answer = new Answer.Accepted<>(map));
       return published;
     }

@@ -46,7 +46,8 @@ final class RobotMover {
       return done(new Answer.Rejected<>("floor", floors.noSuchFloor(move.floor())));
     }
     if (from.get() == to.get()) {
-      return done(new Answer.Rejected<>("floor", Phrase.ALREADY_ON_FLOOR.with(robot, move.floor())));
+      return done(
+          new Answer.Rejected<>("floor", Phrase.ALREADY_ON_FLOOR.with(robot, move.floor())));
     }
     if (!new Disc(PlaceCheck.SMALLEST_RADIUS)
         .isFreeAt(to.get().map().grid(), move.pose().position())) {

@@ -5,14 +5,15 @@ import java.io.IOException;
 import java.util.List;
 import java.util.function.Function;
 import java.util.stream.Collectors;
+import org.jspecify.annotations.Nullable;
 import org.toqa.fleet.Answer;
 import org.toqa.grid.FloorMap;
 import org.toqa.mission.Question;
 import org.toqa.web.Services;
 import org.toqa.web.Texts;
 import org.toqa.web.input.FieldErrors;
-import org.toqa.web.input.FloorQueryReader;
 import org.toqa.web.input.Fields;
+import org.toqa.web.input.FloorQueryReader;
 import org.toqa.web.input.Version;
 import org.toqa.wording.Sentence;
 
@@ -109,12 +110,17 @@ public abstract class ApiHandler {
    *
    * @throws Problem.ProblemException there is no such floor
    */
-  public static FloorQueryReader wantedFloor(HttpServletRequest request) {
+  static FloorQueryReader wantedFloor(HttpServletRequest request) {
     FieldErrors errors = new FieldErrors();
     FloorQueryReader reader =
         new FloorQueryReader(request, errors, services(request).fleet().floors());
     throwIfAny(errors);
     return reader;
+  }
+
+  /** The name of that floor; null: all are wanted. */
+  public static @Nullable String wantedFloorName(HttpServletRequest request) {
+    return wantedFloor(request).floor();
   }
 
   private static Problem.ProblemException noSuchFloor(

@@ -13,8 +13,7 @@ public final class FloorQueryReader {
   /**
    * @param floors those that there are
    */
-  public FloorQueryReader(
-      HttpServletRequest request, FieldErrors errors, List<FloorMap> floors) {
+  public FloorQueryReader(HttpServletRequest request, FieldErrors errors, List<FloorMap> floors) {
     this.floor = new QueryFields(request, errors).floor(floors);
   }
 

@@ -21,7 +21,7 @@ public final class EventsResource extends ApiHandler {
       return;
     }
     boolean changesOnly = wantsChangesOnly(request);
-    String floor = wantedFloor(request).floor();
+    String floor = wantedFloorName(request);
     StreamPlaces places = new StreamPlaces();
     Optional<StreamPlaces.Refusal> refusal =
         places.take(

@@ -14,14 +14,12 @@ import org.toqa.fleet.FleetSnapshot;
 import org.toqa.fleet.RobotChange;
 import org.toqa.fleet.RobotRecord;
 import org.toqa.fleet.RobotView;
-import org.toqa.geometry.Pose;
 import org.toqa.web.FleetAnswers;
 import org.toqa.web.RequestPath;
 import org.toqa.web.Texts;
 import org.toqa.web.access.Caller;
 import org.toqa.web.input.FieldErrors;
 import org.toqa.web.input.Fields;
-import org.toqa.web.input.InputRules;
 import org.toqa.web.input.RobotCommand;
 import org.toqa.web.input.RobotOrderReader;
 import org.toqa.web.input.Version;
@@ -98,12 +96,17 @@ public final class RobotPage extends PageHandler {
 
   public static void locate(HttpServletRequest request, HttpServletResponse response)
       throws ServletException, IOException {
-    command(request, response, "locate", form(RobotOrderReader::readEnteredPose), Fleet::locateRobot);
+    command(
+        request, response, "locate", form(RobotOrderReader::readEnteredPose), Fleet::locateRobot);
   }
 
   public static void move(HttpServletRequest request, HttpServletResponse response)
       throws ServletException, IOException {
-    command(request, response, "move", form(fields -> RobotOrderReader.readMove(fields, RobotOrderReader::readEnteredPose)),
+    command(
+        request,
+        response,
+        "move",
+        form(fields -> RobotOrderReader.readMove(fields, RobotOrderReader::readEnteredPose)),
         Fleet::moveRobot);
   }
 

@@ -13,8 +13,8 @@ import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.TreeMap;
-import java.util.stream.Stream;
 import java.util.TreeSet;
+import java.util.stream.Stream;
 import org.toqa.web.TestClient;
 import org.toqa.web.route.Route;
 import org.toqa.web.route.Routes;
@@ -29,8 +29,7 @@ final class QueryAttacks {
   private static final JsonMapper JSON = JsonMapper.shared();
 
   private static final Map<String, Verdict> PERIOD =
-      Map.of(
-          "period", REFUSED, "from", REFUSED, "to", REFUSED, "zone", REFUSED, "floor", REFUSED);
+      Map.of("period", REFUSED, "from", REFUSED, "to", REFUSED, "zone", REFUSED, "floor", REFUSED);
 
   private static final Map<String, Map<String, Verdict>> PAGES =
       Map.of(
