@@ -2,13 +2,21 @@ package org.toqa.grid;
 
 import java.util.List;
 import java.util.Optional;
+import org.jspecify.annotations.Nullable;
+import org.toqa.geometry.Vec2;
 
 /** A floor as robots drive on it: what is drawn of it, and what follows from that. Immutable. */
 public final class FloorMap {
+  /** Metres. */
+  private static final double SAME_POINT = 0.001;
+
   private final String name;
   private final FloorDrawing drawing;
   private final OccupancyGrid grid;
   private final Margins margins;
+
+  /** The places that have a heading. */
+  private final List<Place> facing;
 
   /**
    * @param margins that are kept on it
@@ -22,6 +30,7 @@ public final class FloorMap {
     this.drawing = drawing;
     this.grid = grid;
     this.margins = margins;
+    this.facing = drawing.places().filter(place -> place.heading() != null).toList();
   }
 
   /** With the usual margins, and no areas. */
@@ -72,6 +81,19 @@ public final class FloorMap {
 
   public Margins margins() {
     return margins;
+  }
+
+  /**
+   * How a robot stands at a point, radians counter-clockwise from map east; null: as it comes.
+   *
+   * @param point metres, map frame
+   */
+  public @Nullable Double headingAt(Vec2 point) {
+    return facing.stream()
+        .filter(place -> place.position().distanceTo(point) < SAME_POINT)
+        .map(Place::heading)
+        .findFirst()
+        .orElse(null);
   }
 
   /** The station, parking or charging point of that name. */

@@ -10,8 +10,12 @@ import net.jqwik.api.Arbitraries;
 import net.jqwik.api.Arbitrary;
 import net.jqwik.api.Combinators;
 import org.toqa.geometry.Vec2;
+import org.toqa.grid.Area;
 import org.toqa.grid.Cell;
+import org.toqa.grid.Direction;
+import org.toqa.grid.MoveRules;
 import org.toqa.grid.OccupancyGrid;
+import org.toqa.grid.OneWay;
 
 /** Small floors with robots on them, for properties. */
 public final class RandomFloors {
@@ -24,6 +28,7 @@ public final class RandomFloors {
     @Override
     public String toString() {
       StringBuilder text = new StringBuilder(starts + " to " + goals);
+      text.append(grid.rules().oneWay()).append(grid.rules().approaches());
       for (int row = 0; row < grid.height(); row++) {
         text.append('\n');
         for (int column = 0; column < grid.width(); column++) {
@@ -53,8 +58,27 @@ public final class RandomFloors {
               for (int i = 1; i < width * height; i++) {
                 occupied.set(i, random.nextDouble() < density);
               }
-              return floor(new OccupancyGrid(width, height, 1, Vec2.ZERO, occupied), count, random);
+              OccupancyGrid grid = new OccupancyGrid(width, height, 1, Vec2.ZERO, occupied);
+              return floor(withDirections(grid, new Random(~seed)), count, random);
             });
+  }
+
+  /** On every fourth floor, areas that are driven one way and a cell that is entered one way. */
+  private static OccupancyGrid withDirections(OccupancyGrid grid, Random random) {
+    return random.nextInt(4) > 0
+        ? grid
+        : grid.withRules(
+            new MoveRules(
+                List.of(oneWay(grid, 4, random), oneWay(grid, 4, random)),
+                random.nextBoolean() ? List.of(oneWay(grid, 1, random)) : List.of(),
+                List.of()));
+  }
+
+  private static OneWay oneWay(OccupancyGrid grid, int longest, Random random) {
+    Vec2 low = new Vec2(random.nextInt(grid.width()), random.nextInt(grid.height()));
+    return new OneWay(
+        new Area(low, 1 + random.nextInt(longest), 1 + random.nextInt(longest)),
+        Direction.values()[random.nextInt(4)]);
   }
 
   /**

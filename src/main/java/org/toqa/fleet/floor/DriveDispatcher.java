@@ -70,7 +70,7 @@ final class DriveDispatcher {
     state.traffic.setGoal(
         robot.name(),
         goal == null || isOnOtherDrive ? null : goal.goal(),
-        goal == null ? null : goal.heading(),
+        goal == null ? null : heading(robot, goal),
         state.now);
     if (goal != null
         && !isWaiting
@@ -84,6 +84,14 @@ final class DriveDispatcher {
     } else if (!isWaiting) {
       setWaitReason(robot, goal == null ? null : trafficWaitReason(robot.name()));
     }
+  }
+
+  /** How it shall face: as its goal says, or alone as the place says that is there. */
+  private @Nullable Double heading(FloorRobot robot, DriveGoal goal) {
+    boolean isInGroup = state.formations.carryingMission(robot.name()).isPresent();
+    return goal.heading() == null && !isInGroup
+        ? state.floor.headingAt(goal.goal())
+        : goal.heading();
   }
 
   /** Whether it only drives to make room for others; that may end. */

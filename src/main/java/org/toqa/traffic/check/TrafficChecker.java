@@ -4,8 +4,11 @@ import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import org.toqa.geometry.Vec2;
+import org.toqa.grid.Area;
 import org.toqa.grid.Cell;
 import org.toqa.grid.OccupancyGrid;
+import org.toqa.grid.OneWay;
 import org.toqa.planning.Heading;
 import org.toqa.traffic.GridPose;
 import org.toqa.traffic.MotionModel;
@@ -14,9 +17,14 @@ import org.toqa.traffic.MotionModel;
  * Judges what robots did, by the rules alone: it knows no planner and uses nothing that one uses.
  *
  * <p>The rules: robots are on free cells; a step is one the model allows; no two are on one cell;
- * no two change places.
+ * no two change places; no step leads against the direction of an area.
  */
 public final class TrafficChecker {
+  /** A step is looked at so often to see which areas it leads through. */
+  private static final int PIECES = 20;
+
+  private static final double ROUNDING = 1e-6;
+
   private final OccupancyGrid grid;
   private final MotionModel model;
 
@@ -32,7 +40,8 @@ public final class TrafficChecker {
     ON_A_FREE_CELL,
     A_STEP_OF_THE_MODEL,
     ALONE_ON_ITS_CELL,
-    NO_CHANGING_PLACES
+    NO_CHANGING_PLACES,
+    NOT_AGAINST_A_DIRECTION
   }
 
   /**
@@ -50,6 +59,9 @@ public final class TrafficChecker {
       GridPose to = after.get(robot);
       if (!isStep(from, to)) {
         violations.add(new Violation(Rule.A_STEP_OF_THE_MODEL, robot, to.cell()));
+      }
+      if (isAgainstDirection(from.cell(), to.cell())) {
+        violations.add(new Violation(Rule.NOT_AGAINST_A_DIRECTION, robot, to.cell()));
       }
       Integer other = standing.get(to.cell());
       if (other != null && robot < other && after.get(other).cell().equals(from.cell())) {
@@ -74,6 +86,39 @@ public final class TrafficChecker {
       }
     }
     return violations;
+  }
+
+  /** By the areas as they are drawn, at points of the step. */
+  private boolean isAgainstDirection(Cell from, Cell to) {
+    Vec2 start = grid.centre(from);
+    Vec2 way = grid.centre(to).minus(start);
+    for (int piece = 0; piece <= PIECES; piece++) {
+      Vec2 point = start.plus(way.times((double) piece / PIECES));
+      for (OneWay one : grid.rules().oneWay()) {
+        if (along(way, one) < -ROUNDING && isIn(one.area(), point)) {
+          return true;
+        }
+      }
+      for (OneWay one : grid.rules().approaches()) {
+        if (along(way, one) < way.norm() - ROUNDING
+            && isIn(one.area(), point)
+            && !isIn(one.area(), start)) {
+          return true;
+        }
+      }
+    }
+    return false;
+  }
+
+  private static double along(Vec2 way, OneWay one) {
+    return way.x() * one.direction().vector().x() + way.y() * one.direction().vector().y();
+  }
+
+  private static boolean isIn(Area area, Vec2 point) {
+    return point.x() > area.low().x() + ROUNDING
+        && point.y() > area.low().y() + ROUNDING
+        && point.x() < area.high().x() - ROUNDING
+        && point.y() < area.high().y() - ROUNDING;
   }
 
   private boolean isStep(GridPose from, GridPose to) {

@@ -2,6 +2,7 @@ package org.toqa.traffic.floor;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.NavigableSet;
 import java.util.TreeSet;
 import org.toqa.geometry.Pose;
 import org.toqa.geometry.Twist;
@@ -46,9 +47,9 @@ final class SpeedLimiter {
   }
 
   /** Where pieces end, as shares of the segment, rising to 1. */
-  private static TreeSet<Double> ends(
+  private static NavigableSet<Double> ends(
       MoveRules rules, List<Vec2> members, Pose start, Segment segment) {
-    TreeSet<Double> ends = new TreeSet<>(List.of(1.0));
+    NavigableSet<Double> ends = new TreeSet<>(List.of(1.0));
     if (segment.w() == 0) {
       double least = SHORTEST / segment.length();
       Pose end = start.advanced(segment.twist(), segment.t());

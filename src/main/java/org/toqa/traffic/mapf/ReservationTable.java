@@ -87,7 +87,7 @@ public class ReservationTable {
         return false;
       }
       if (t > 0 && path[t] != path[t - 1]) {
-        int back = roads.direction(path[t], path[t - 1]);
+        int back = RoadGraph.opposite(roads.direction(path[t - 1], path[t]));
         if (nextFreeEdge(path[t], back, t - 1) != t - 1) {
           return false;
         }

@@ -5,11 +5,16 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.ArrayDeque;
 import java.util.BitSet;
+import java.util.List;
 import java.util.Queue;
 import org.junit.jupiter.api.Test;
 import org.toqa.allocation.PathLengths;
 import org.toqa.geometry.Vec2;
+import org.toqa.grid.Area;
+import org.toqa.grid.Direction;
+import org.toqa.grid.MoveRules;
 import org.toqa.grid.OccupancyGrid;
+import org.toqa.grid.OneWay;
 
 /** Two halls of a floor, and the one gap in the wall between them, far to the north. */
 class FloorDistancesTest {
@@ -43,6 +48,23 @@ class FloorDistancesTest {
         ofAgent.lengthsTo(new Vec2(3.5, 0.5), DIAMETER).applyAsDouble(new Vec2(1.5, 0.5));
     assertTrue(exact > 8, () -> "round the wall, not " + exact);
     assertEquals(0, elsewhere.size());
+  }
+
+  @Test
+  void whereAnAreaIsDrivenOneWayLengthsAreThoseThatLeadToAPlace() {
+    Area middle = new Area(new Vec2(0, 1), 5, 1);
+    FloorDistances distances =
+        new FloorDistances(
+            new OccupancyGrid(50, 20, 0.1, Vec2.ZERO, new BitSet())
+                .withRules(
+                    new MoveRules(
+                        List.of(new OneWay(middle, Direction.NORTH)), List.of(), List.of())));
+    Vec2 south = new Vec2(2.55, 0.55);
+    Vec2 north = new Vec2(2.55, 1.75);
+
+    assertEquals(1.2, distances.length(south, north, DIAMETER), 1e-6);
+    assertEquals(Double.POSITIVE_INFINITY, distances.length(north, south, DIAMETER));
+    assertEquals(1.2, distances.lengthsTo(north, DIAMETER).applyAsDouble(south), 1e-6);
   }
 
   /** Square, of cells of 0.1 m; the wall is in the middle column and leaves the topmost 0.5 m. */

@@ -10,13 +10,19 @@ import java.util.Queue;
 import java.util.stream.Stream;
 import org.toqa.grid.Cell;
 import org.toqa.grid.OccupancyGrid;
+import org.toqa.planning.Heading;
+import org.toqa.traffic.GridPose;
+import org.toqa.traffic.MotionModel;
+import org.toqa.traffic.check.TrafficChecker;
 
 /** Tries everything: breadth-first over the places of all robots at once. For tiny floors. */
 final class JointSearch {
   private final OccupancyGrid grid;
+  private final TrafficChecker checker;
 
   JointSearch(OccupancyGrid grid) {
     this.grid = grid;
+    this.checker = new TrafficChecker(grid, MotionModel.CLASSIC);
   }
 
   /** The least number of steps after which all are at their goals; empty where that is never. */
@@ -48,12 +54,21 @@ final class JointSearch {
     List<List<Cell>> all = new ArrayList<>();
     Cell from = before.get(robot);
     choices(from)
-        .filter(to -> grid.isFree(to) && !chosen.contains(to) && !swaps(before, chosen, from, to))
+        .filter(to -> isInDirection(from, to) && grid.isFree(to) && !chosen.contains(to) && !swaps(before, chosen, from, to))
         .forEach(
             to ->
                 all.addAll(
                     successors(before, Stream.concat(chosen.stream(), Stream.of(to)).toList())));
     return all;
+  }
+
+  private boolean isInDirection(Cell from, Cell to) {
+    return !grid.rules().isDirected()
+        || checker
+            .check(
+                List.of(new GridPose(from, Heading.EAST)), List.of(new GridPose(to, Heading.EAST)))
+            .stream()
+            .noneMatch(v -> v.rule() == TrafficChecker.Rule.NOT_AGAINST_A_DIRECTION);
   }
 
   private static boolean swaps(List<Cell> before, List<Cell> chosen, Cell from, Cell to) {
