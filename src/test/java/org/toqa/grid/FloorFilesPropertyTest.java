@@ -33,7 +33,7 @@ class FloorFilesPropertyTest {
     FloorMap floor = floor(new Random(seed), width, height);
 
     FloorMap read =
-        FloorReader.read(MapArchive.unpack(FloorWriter.mapServerFiles(floor).pack()));
+        FloorReader.read(MapArchive.unpack(FloorWriter.mapServerFiles(floor.name(), floor.drawing()).pack()));
 
     assertSame(floor.drawing(), read.drawing());
     assertEquals(FloorWriter.fileName(floor.name()), read.name());

@@ -85,7 +85,7 @@ class MapFilesFuzzTest {
             List.of(new SpeedLimit(area, 0.3)),
             List.of(new OneWay(area, Direction.WEST)));
     FloorMap floor = new FloorMap("m", drawing, Margins.USUAL);
-    MapArchive archive = FloorWriter.mapServerFiles(floor);
+    MapArchive archive = FloorWriter.mapServerFiles("m", drawing);
     Map<String, byte[]> ros = new LinkedHashMap<>();
     for (String name : List.of("m.yaml", "m.pgm", "m.floor.yaml")) {
       ros.put(name, Objects.requireNonNull(archive.content(name)));
