@@ -23,8 +23,7 @@ public final class FloorPicture {
       throw new MapFormatException(
           "A pixel of the picture is from 0.001 to 100 m wide, not " + resolution + ".");
     }
-    GreyImage image =
-        PngReader.read(new MapFile.InArchive(MapArchive.of(Map.of(FILE, png)), FILE));
+    GreyImage image = PngReader.read(new MapFile.InArchive(MapArchive.of(Map.of(FILE, png)), FILE));
     int cells = image.width() * image.height();
     BitSet occupied = new BitSet(cells);
     for (int i = 0; i < cells; i++) {

@@ -21,8 +21,24 @@ import org.toqa.geometry.Vec2;
 class FloorFilesPropertyTest {
   private static final List<String> NAMES =
       List.of(
-          "Dock A", "Say \"yes\"", "back\\slash", "'", "🤖🏭", "المحطة ١", "- x: 1", "# no", "{a: b}",
-          "null", "1e3", "true", "~", "a: b", "\u202eevil\u202c", "x\u2028y", "%YAML", "é".repeat(64));
+          "Dock A",
+          "Say \"yes\"",
+          "back\\slash",
+          "'",
+          "🤖🏭",
+          "المحطة ١",
+          "- x: 1",
+          "# no",
+          "{a: b}",
+          "null",
+          "1e3",
+          "true",
+          "~",
+          "a: b",
+          "\u202eevil\u202c",
+          "x\u2028y",
+          "%YAML",
+          "é".repeat(64));
 
   @Property(tries = 300)
   void aFloorIsReadAsItWasWritten(
@@ -33,7 +49,8 @@ class FloorFilesPropertyTest {
     FloorMap floor = floor(new Random(seed), width, height);
 
     FloorMap read =
-        FloorReader.read(MapArchive.unpack(FloorWriter.mapServerFiles(floor.name(), floor.drawing()).pack()));
+        FloorReader.read(
+            MapArchive.unpack(FloorWriter.mapServerFiles(floor.name(), floor.drawing()).pack()));
 
     assertSame(floor.drawing(), read.drawing());
     assertEquals(FloorWriter.fileName(floor.name()), read.name());
@@ -124,8 +141,7 @@ class FloorFilesPropertyTest {
   private static List<Place> places(Random random, OccupancyGrid drivable, Set<String> names) {
     List<Place> places = new ArrayList<>();
     for (int i = random.nextInt(6); i > 0; i--) {
-      Cell cell =
-          new Cell(random.nextInt(drivable.width()), random.nextInt(drivable.height()));
+      Cell cell = new Cell(random.nextInt(drivable.width()), random.nextInt(drivable.height()));
       String name = random.nextBoolean() ? NAMES.get(random.nextInt(NAMES.size())) : name(random);
       if (drivable.isFree(drivable.centre(cell)) && FloorLimits.isName(name) && names.add(name)) {
         @Nullable Double heading =

@@ -29,9 +29,32 @@ import org.toqa.testbed.FuzzRun;
 class MapFilesFuzzTest {
   private static final List<String> WORDS =
       List.of(
-          "0", "-1", "1e308", "1e-320", ".nan", ".inf", "99999999999", "2147483647", "4096",
-          "[]", "{}", "[0, 0]", "&a [*a]", "!!java.net.URL x", "\"\\U00110000\"", "null", "../x.pgm",
-          "P5", "P2", "type octile", "height 100000", "width 0", "\u0000", "\ufeff", "raw", "scale");
+          "0",
+          "-1",
+          "1e308",
+          "1e-320",
+          ".nan",
+          ".inf",
+          "99999999999",
+          "2147483647",
+          "4096",
+          "[]",
+          "{}",
+          "[0, 0]",
+          "&a [*a]",
+          "!!java.net.URL x",
+          "\"\\U00110000\"",
+          "null",
+          "../x.pgm",
+          "P5",
+          "P2",
+          "type octile",
+          "height 100000",
+          "width 0",
+          "\u0000",
+          "\ufeff",
+          "raw",
+          "scale");
 
   private final Random random = new Random(FuzzRun.SEED);
   private long read;
@@ -51,8 +74,7 @@ class MapFilesFuzzTest {
   private void tryOne(Map<String, byte[]> files) {
     try {
       FloorDrawing drawing = drawing(files);
-      assertTrue(
-          (long) drawing.walls().width() * drawing.walls().height() <= MapLimits.MAX_CELLS);
+      assertTrue((long) drawing.walls().width() * drawing.walls().height() <= MapLimits.MAX_CELLS);
       read++;
     } catch (MapFormatException e) {
       assertFalse(String.valueOf(e.getMessage()).isBlank());
@@ -142,7 +164,8 @@ class MapFilesFuzzTest {
             case 2 -> join(bytes, from, word(), to); // another word
             case 3 -> join(bytes, to, Arrays.copyOfRange(bytes, from, to), to); // twice
             case 4 -> withOtherBit(bytes);
-            default -> random.nextInt(8) == 0 ? join(bytes, from, new byte[0], bytes.length) : bytes;
+            default ->
+                random.nextInt(8) == 0 ? join(bytes, from, new byte[0], bytes.length) : bytes;
           };
     }
     return name.endsWith(".png") && random.nextBoolean() ? withChecksums(bytes) : bytes;

@@ -12,8 +12,8 @@ import org.toqa.grid.OccupancyGrid;
 import org.toqa.grid.Place;
 
 /**
- * What is drawn of a floor, on the wire; {@link DrawingReader} reads it. The grid's fields are those
- * of {@link MapJson}, but keep-out areas are apart from walls.
+ * What is drawn of a floor, on the wire; {@link DrawingReader} reads it. The grid's fields are
+ * those of {@link MapJson}, but keep-out areas are apart from walls.
  */
 record DrawingJson(
     int width,
@@ -31,11 +31,7 @@ record DrawingJson(
   /** Metres, map frame; degrees counter-clockwise from east. */
   @JsonInclude(JsonInclude.Include.NON_NULL)
   record PlaceJson(
-      String name,
-      double x,
-      double y,
-      @Nullable Double headingDegrees,
-      @Nullable String approach) {
+      String name, double x, double y, @Nullable Double headingDegrees, @Nullable String approach) {
     static PlaceJson of(Place place) {
       Double heading = place.heading();
       Direction approach = place.approach();

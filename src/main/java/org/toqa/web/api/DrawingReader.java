@@ -83,10 +83,7 @@ final class DrawingReader {
   }
 
   private static int size(@Nullable Double given) {
-    return given != null
-            && given == Math.rint(given)
-            && given >= 1
-            && given <= MapLimits.MAX_CELLS
+    return given != null && given == Math.rint(given) && given >= 1 && given <= MapLimits.MAX_CELLS
         ? given.intValue()
         : 0;
   }

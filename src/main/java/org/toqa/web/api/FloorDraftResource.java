@@ -100,8 +100,7 @@ public final class FloorDraftResource extends ApiHandler {
     List<MapProblem> problems =
         acceptedValue(
             request,
-            FleetAnswers.await(
-                editing(request).check(floor, drawing, Caller.of(request).name())));
+            FleetAnswers.await(editing(request).check(floor, drawing, Caller.of(request).name())));
     Json.send(request, response, 200, problems.stream().map(MapProblemJson::of).toList());
   }
 
@@ -152,9 +151,7 @@ public final class FloorDraftResource extends ApiHandler {
   private static long revision(JsonFields fields) {
     Double given = fields.number("revision");
     if (given == null || given != Math.rint(given) || !(given >= 0 && given <= MAX_REVISION)) {
-      fields
-          .errors()
-          .add(fields.path("revision"), fields.texts().get("error.draft.revision"));
+      fields.errors().add(fields.path("revision"), fields.texts().get("error.draft.revision"));
       return 0;
     }
     return given.longValue();
@@ -171,9 +168,7 @@ public final class FloorDraftResource extends ApiHandler {
     Texts texts = Texts.of(request);
     throw Problem.of(
             412,
-            user == null
-                ? texts.get("problem.draftGone")
-                : texts.get("problem.draftChanged", user))
+            user == null ? texts.get("problem.draftGone") : texts.get("problem.draftChanged", user))
         .exception();
   }
 

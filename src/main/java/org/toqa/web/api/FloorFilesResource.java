@@ -92,25 +92,21 @@ public final class FloorFilesResource extends ApiHandler {
             MapLimits.FINEST,
             MapLimits.COARSEST,
             errors);
-    double threshold =
-        queryNumber(request, "threshold", FloorFiles.USUAL_THRESHOLD, 0, 1, errors);
+    double threshold = queryNumber(request, "threshold", FloorFiles.USUAL_THRESHOLD, 0, 1, errors);
     throwIfAny(errors);
     byte[] content = request.getInputStream().readNBytes(FloorFiles.MAX_BYTES + 1);
     if (content.length > FloorFiles.MAX_BYTES) {
-      throw Problem.of(
-              413, Texts.of(request).get("problem.bodySize", FloorFiles.MAX_BYTES / 1024))
+      throw Problem.of(413, Texts.of(request).get("problem.bodySize", FloorFiles.MAX_BYTES / 1024))
           .exception();
     }
-    Json.send(
-        request, response, 200, DrawingJson.of(read(file, content, resolution, threshold)));
+    Json.send(request, response, 200, DrawingJson.of(read(file, content, resolution, threshold)));
   }
 
   private static String file(HttpServletRequest request) {
     String given = Optional.ofNullable(request.getContentType()).orElse("");
     String type = given.split(";", 2)[0].strip().toLowerCase(Locale.ROOT);
     return Optional.ofNullable(FILES.get(type))
-        .orElseThrow(
-            () -> Problem.of(415, Texts.of(request).get("problem.notAMap")).exception());
+        .orElseThrow(() -> Problem.of(415, Texts.of(request).get("problem.notAMap")).exception());
   }
 
   private static FloorDrawing read(

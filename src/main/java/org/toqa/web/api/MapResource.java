@@ -14,14 +14,10 @@ public final class MapResource extends ApiHandler {
   public static void get(HttpServletRequest request, HttpServletResponse response)
       throws IOException {
     FieldErrors errors = new FieldErrors();
-    Instant at =
-        new InputRules(Texts.of(request), errors).moment("at", request.getParameter("at"));
+    Instant at = new InputRules(Texts.of(request), errors).moment("at", request.getParameter("at"));
     throwIfAny(errors);
     Json.send(
-        request,
-        response,
-        200,
-        MapJson.of(at == null ? floor(request) : floorThen(request, at)));
+        request, response, 200, MapJson.of(at == null ? floor(request) : floorThen(request, at)));
   }
 
   /** The floor may be gone by now. */

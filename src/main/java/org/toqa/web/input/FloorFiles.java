@@ -28,8 +28,8 @@ public final class FloorFiles {
   /**
    * What is drawn in them.
    *
-   * @param files contents by their names: one ZIP file, one picture, a MovingAI map, or the files of
-   *     a ROS map
+   * @param files contents by their names: one ZIP file, one picture, a MovingAI map, or the files
+   *     of a ROS map
    * @param resolution metres that a pixel of a picture is wide
    * @param threshold from 0 to 1: what of a picture is darker is a wall
    * @throws MapFormatException with file, place and remedy

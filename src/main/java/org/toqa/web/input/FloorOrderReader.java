@@ -34,8 +34,7 @@ public final class FloorOrderReader {
   }
 
   private static FloorDrawing empty(int width, int height, double resolution) {
-    return FloorDrawing.of(
-        new OccupancyGrid(width, height, resolution, Vec2.ZERO, new BitSet()));
+    return FloorDrawing.of(new OccupancyGrid(width, height, resolution, Vec2.ZERO, new BitSet()));
   }
 
   /** A name that can stand in an address. */

@@ -112,8 +112,7 @@ public final class FloorsPage extends PageHandler {
     }
     if (fields.errors().isEmpty()) {
       try {
-        return new FloorOrder(
-            name, FloorFiles.read(files, resolution, FloorFiles.USUAL_THRESHOLD));
+        return new FloorOrder(name, FloorFiles.read(files, resolution, FloorFiles.USUAL_THRESHOLD));
       } catch (MapFormatException e) {
         fields.errors().add(FILE, String.valueOf(e.getMessage()));
       }
@@ -136,7 +135,8 @@ public final class FloorsPage extends PageHandler {
         try (InputStream content = part.getInputStream()) {
           byte[] bytes = content.readNBytes(left + 1);
           left -= bytes.length;
-          files.put(name.substring(Math.max(name.lastIndexOf('/'), name.lastIndexOf('\\')) + 1), bytes);
+          files.put(
+              name.substring(Math.max(name.lastIndexOf('/'), name.lastIndexOf('\\')) + 1), bytes);
         }
       }
       if (left < 0) {
@@ -153,10 +153,7 @@ public final class FloorsPage extends PageHandler {
     String floor = RequestPath.parameter(request, "floor");
     Answer<String> answer =
         FleetAnswers.await(
-            services(request)
-                .fleet()
-                .floorEditing()
-                .removeFloor(floor, Caller.of(request).name()));
+            services(request).fleet().floorEditing().removeFloor(floor, Caller.of(request).name()));
     if (answer instanceof Answer.Unknown<String>) {
       sendNotFound(request, response, "floors.gone");
       return;

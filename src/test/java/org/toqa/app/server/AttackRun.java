@@ -221,8 +221,7 @@ final class AttackRun implements AutoCloseable {
 
   /** So that no floor is called as the next attack. */
   void removeFloor(String name) {
-    String segment =
-        URLEncoder.encode(name.strip(), StandardCharsets.UTF_8).replace("+", "%20");
+    String segment = URLEncoder.encode(name.strip(), StandardCharsets.UTF_8).replace("+", "%20");
     expectStatus(
         204, manager.sendJson("DELETE", "api/v1/floors/" + segment, ""), "removing " + name);
   }

@@ -55,8 +55,7 @@ enum Verdict {
       case TAKEN -> good;
       case NAME_OF_100 -> attack.isNameWithin(100) ? good : 422;
       case NAME_OF_64 -> attack.isNameWithin(64) ? good : 422;
-      case NAME_IN_ADDRESS ->
-          attack.isNameWithin(64) && attack.isOneSegment() ? good : 422;
+      case NAME_IN_ADDRESS -> attack.isNameWithin(64) && attack.isOneSegment() ? good : 422;
       case PASSWORD -> attack.isPassword() ? good : 422;
     };
   }

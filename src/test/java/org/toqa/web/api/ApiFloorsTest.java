@@ -200,8 +200,7 @@ class ApiFloorsTest extends WebServerTest {
     JsonNode drawing = read("image/png", "?resolution=0.2&threshold=0.4", png, 200);
     assertEquals("[1,1,3,1]", drawing.get("occupied").toString());
     assertEquals(0.2, drawing.get("resolution").asDouble());
-    assertEquals(
-        "[1,3]", read("image/png", "?threshold=0.6", png, 200).get("occupied").toString());
+    assertEquals("[1,3]", read("image/png", "?threshold=0.6", png, 200).get("occupied").toString());
     read("image/png", "?threshold=2", png, 422);
     read("image/png", "?resolution=NaN", png, 422);
   }
