@@ -152,6 +152,7 @@ fuzz inputs of the server
 fuzz inputs of the daemon
 fuzz inputs of the frames of the microcontroller
 fuzz inputs of a serial stream
+fuzz inputs of the readers of maps
 END
   return "$all"
 }

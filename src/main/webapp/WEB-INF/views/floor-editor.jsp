@@ -12,6 +12,7 @@
 <fmt:message key="map.fit" var="fit"/>
 <fmt:message key="editor.undo" var="undo"/>
 <fmt:message key="editor.redo" var="redo"/>
+<fmt:message key="editor.approach.any" var="anyDirection"/>
 <t:page title="${title}" here="floor" script="editor/editor.js" layout="live-map editor">
   <section class="map-panel">
     <div class="summary">
@@ -48,7 +49,7 @@
       <p id="thing-error" class="fault" role="alert"></p>
       <div class="thing-fields">
         <label class="thing-field wide"><fmt:message key="editor.field.name"/><input data-field="name" dir="auto" autocomplete="off"></label>
-        <label class="thing-field"><fmt:message key="editor.field.headingDegrees"/><input data-field="headingDegrees" inputmode="decimal" dir="ltr" autocomplete="off"></label>
+        <label class="thing-field"><fmt:message key="editor.field.headingDegrees"/><input data-field="headingDegrees" placeholder="${anyDirection}" inputmode="decimal" dir="ltr" autocomplete="off"></label>
         <label class="thing-field"><fmt:message key="editor.field.approach"/><select data-field="approach"><option value=""><fmt:message key="editor.approach.any"/></option><c:forTokens items="east,north,west,south" delims="," var="way"><option value="${way}"><fmt:message key="editor.direction.${way}"/></option></c:forTokens></select></label>
         <label class="thing-field"><fmt:message key="editor.field.speed"/><input data-field="speed" inputmode="decimal" dir="ltr" autocomplete="off"></label>
         <label class="thing-field"><fmt:message key="editor.field.direction"/><select data-field="direction"><c:forTokens items="east,north,west,south" delims="," var="way"><option value="${way}"><fmt:message key="editor.direction.${way}"/></option></c:forTokens></select></label>

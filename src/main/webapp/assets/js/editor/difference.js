@@ -4,8 +4,8 @@ const NEARLY = 1e-6; // of a cell
 
 /** What a drawing has that what is in force has not, and the other way round. */
 export class Difference {
-  added = []; // cells of the drawing that are walls now
-  removed = []; // cells that were
+  added = []; // runs of cells of the drawing that are walls now: {column, row, count}
+  removed = []; // runs of cells that were
   things = []; // {kind, change, thing} with change added, removed or changed
   isOtherGrid = false; // cells of another size or place: they cannot be compared
 
@@ -20,6 +20,14 @@ export class Difference {
     return this.added.length + this.removed.length + this.things.length === 0 && !this.isOtherGrid;
   }
 
+  get addedCount() {
+    return cellsIn(this.added);
+  }
+
+  get removedCount() {
+    return cellsIn(this.removed);
+  }
+
   #compareWalls(drawing, before) {
     const {resolution, origin} = drawing.grid;
     const columns = (before.grid.origin.x - origin.x) / resolution;
@@ -31,14 +39,30 @@ export class Difference {
     }
     const right = Math.round(columns);
     const down = drawing.grid.height - before.grid.height - Math.round(rows);
-    this.isOtherGrid = false;
-    for (let row = Math.min(0, down); row < Math.max(drawing.grid.height, before.grid.height + down); row++) {
-      for (let column = Math.min(0, right); column < Math.max(drawing.grid.width, before.grid.width + right); column++) {
-        const is = drawing.isWall({column, row});
-        if (is !== before.isWall({column: column - right, row: row - down})) {
-          (is ? this.added : this.removed).push({column, row});
-        }
+    const last = Math.max(drawing.grid.height, before.grid.height + down);
+    for (let row = Math.min(0, down); row < last; row++) {
+      this.#compareRow(row, rowOf(drawing, row), rowOf(before, row - down), right);
+    }
+  }
+
+  /**
+   * @param now the walls of a row of the drawing
+   * @param then those of what is in force, so many cells further to the right
+   */
+  #compareRow(row, now, then, right) {
+    let run;
+    let runs;
+    for (let column = Math.min(0, right); column < Math.max(now.length, then.length + right); column++) {
+      const is = now[column] === 1;
+      const differs = is !== (then[column - right] === 1);
+      const wanted = differs ? (is ? this.added : this.removed) : undefined;
+      if (wanted && wanted === runs) {
+        run.count++;
+      } else if (wanted) {
+        run = {column, row, count: 1};
+        wanted.push(run);
       }
+      runs = wanted;
     }
   }
 
@@ -60,15 +84,25 @@ export class Difference {
   }
 
   draw(context, viewport, colours, {left, top, cell}) {
-    for (const [cells, colour] of [[this.added, 'state-idle'], [this.removed, 'state-error']]) {
+    for (const [runs, colour] of [[this.added, 'state-idle'], [this.removed, 'state-error']]) {
       context.fillStyle = colours[colour];
       context.globalAlpha = 0.8;
-      for (const {column, row} of cells) {
-        context.fillRect(left + column * cell, top + row * cell, cell, cell);
+      for (const {column, row, count} of runs) {
+        context.fillRect(left + column * cell, top + row * cell, count * cell, cell);
       }
     }
     context.globalAlpha = 1;
   }
+}
+
+const NO_WALLS = new Uint8Array(0);
+
+function rowOf({walls, grid}, row) {
+  return row >= 0 && row < grid.height ? walls.subarray(row * grid.width, (row + 1) * grid.width) : NO_WALLS;
+}
+
+function cellsIn(runs) {
+  return runs.reduce((sum, {count}) => sum + count, 0);
 }
 
 function isSame(one, other) {

@@ -17,6 +17,7 @@ import {covers, createTools, findThing} from './tools.js';
 
 const $ = (selector) => document.querySelector(selector);
 const WIDEST = 50; // cells of a brush
+const EDGE = 10; // pixels of the canvas that do not count as seen
 
 /** The page on which a floor is drawn. */
 class Editor {
@@ -191,22 +192,18 @@ class Editor {
     this.redraw();
   }
 
-  /** Brings a point, or an area, into the middle. */
+  /** Brings a point, or the middle of an area, into view. */
   show({x, y, width = 0, height = 0}) {
     const {viewport} = this.#canvas;
     const [px, py] = viewport.toScreen(x + width / 2, y + height / 2);
-    viewport.pan(viewport.width / 2 - px, viewport.height / 2 - py);
+    if (px < EDGE || py < EDGE || px > viewport.width - EDGE || py > viewport.height - EDGE) {
+      viewport.pan(viewport.width / 2 - px, viewport.height / 2 - py);
+    }
     this.redraw();
   }
 
-  /** Brings a cell into view. */
   showCell(cell) {
-    const {viewport} = this.#canvas;
-    const point = this.drawing.centre(cell);
-    const [px, py] = viewport.toScreen(point.x, point.y);
-    if (px < 10 || py < 10 || px > viewport.width - 10 || py > viewport.height - 10) {
-      this.show(point);
-    }
+    this.show(this.drawing.centre(cell));
   }
 
   #start(x, y) {

@@ -76,12 +76,12 @@ export class Painter {
     for (const place of PLACE_KINDS.flatMap((kind) => things[kind])) {
       const [x, y] = viewport.toScreen(place.x, place.y);
       if (place.headingDegrees !== undefined && place.headingDegrees !== null) {
-        drawArrow(context, x, y, -place.headingDegrees * Math.PI / 180, half * 1.4, colours['map-text']);
+        drawNose(context, x, y, -place.headingDegrees * Math.PI / 180, half, colours['map-text']);
       }
       if (place.approach) {
         const angle = TURNS[place.approach];
         const [dx, dy] = [Math.cos(angle), Math.sin(angle)];
-        drawArrow(context, x - dx * half * 2.4, y - dy * half * 2.4, angle, half, colours['map-goal']);
+        drawArrow(context, x - dx * half * 3, y - dy * half * 3, angle, half, colours['map-goal']);
       }
     }
   }
@@ -249,6 +249,20 @@ function drawArrow(context, x, y, angle, size, colour) {
   context.strokeStyle = colour;
   context.lineWidth = 2;
   context.stroke();
+  context.restore();
+}
+
+/** A triangle at the edge of a sign of that half width, which points outward. */
+function drawNose(context, x, y, angle, half, colour) {
+  context.save();
+  context.translate(x, y);
+  context.rotate(angle);
+  context.beginPath();
+  context.moveTo(half * 1.1, -half * 0.55);
+  context.lineTo(half * 1.9, 0);
+  context.lineTo(half * 1.1, half * 0.55);
+  context.fillStyle = colour;
+  context.fill();
   context.restore();
 }
 

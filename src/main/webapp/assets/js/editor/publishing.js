@@ -137,9 +137,9 @@ export class Publishing {
     if (difference.isOtherGrid) {
       return text('editor.changes.otherGrid');
     }
-    const {added, removed, things} = difference;
+    const {addedCount, removedCount, things} = difference;
     return difference.isEmpty
       ? text('editor.changes.none')
-      : text('editor.changes', added.length, removed.length, things.length);
+      : text('editor.changes', addedCount, removedCount, things.length);
   }
 }

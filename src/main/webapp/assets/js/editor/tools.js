@@ -89,14 +89,15 @@ class Span {
   }
 }
 
-function walls(editor, cellsBetween) {
+/** @param shapeOf what it would draw */
+function walls(editor, cellsBetween, shapeOf = (a, b) => ({cells: [...cellsBetween(a, b)]})) {
   return new Span(
     editor,
     (a, b) => {
       editor.edits.setWalls(cellsBetween(a, b), true);
       sayCells(editor, true);
     },
-    (a, b) => ({cells: [...cellsBetween(a, b)]}),
+    shapeOf,
   );
 }
 
@@ -242,11 +243,16 @@ class Measure extends Span {
 /** All tools by their names. */
 export function createTools(editor) {
   const {options} = editor;
+  const frame = (box) => widened(outlineOf(box), options.width);
   return {
     select: new Select(editor),
     wall: new Brush(editor, true),
     line: walls(editor, (a, b) => widened(lineOf(a, b), options.width)),
-    rectangle: walls(editor, (a, b) => (options.isFilled ? cellsOf(boxOf(a, b)) : widened(outlineOf(boxOf(a, b)), options.width))),
+    rectangle: walls(
+      editor,
+      (a, b) => (options.isFilled ? cellsOf : frame)(boxOf(a, b)),
+      (a, b) => (options.isFilled ? {box: boxOf(a, b)} : {cells: [...frame(boxOf(a, b))]}),
+    ),
     erase: new Brush(editor, false),
     eraseRectangle: eraser(editor),
     keepOut: area(editor, 'keepOut', {}),

@@ -2,7 +2,6 @@ package org.toqa.web.input;
 
 import java.util.BitSet;
 import java.util.Optional;
-import java.util.Set;
 import org.jspecify.annotations.Nullable;
 import org.toqa.geometry.Vec2;
 import org.toqa.grid.FloorDrawing;
@@ -12,8 +11,8 @@ import org.toqa.grid.OccupancyGrid;
 
 /** Reads what a new floor is called and how large it is. */
 public final class FloorOrderReader {
-  /** Names that addresses of the API have for something else. */
-  private static final Set<String> RESERVED = Set.of("read", ".", "..");
+  /** What an address of the API has in a floor's place. */
+  private static final String RESERVED = "read";
 
   private FloorOrderReader() {}
 
@@ -41,10 +40,7 @@ public final class FloorOrderReader {
   /** A name that can stand in an address. */
   public static String readName(Fields fields) {
     String name = Optional.ofNullable(fields.text("name")).orElse("").strip();
-    if (!FloorLimits.isName(name)
-        || name.indexOf('/') >= 0
-        || name.indexOf('\\') >= 0
-        || RESERVED.contains(name)) {
+    if (!FloorLimits.isFloorName(name) || name.equals(RESERVED)) {
       refuse(fields, "name", "error.floor.name", FloorLimits.LONGEST_NAME);
     }
     return name;

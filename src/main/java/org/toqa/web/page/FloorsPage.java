@@ -54,7 +54,7 @@ public final class FloorsPage extends PageHandler {
   }
 
   /** A floor's name in addresses. */
-  static String segment(String floor) {
+  public static String segment(String floor) {
     return URLEncoder.encode(floor, StandardCharsets.UTF_8).replace("+", "%20");
   }
 

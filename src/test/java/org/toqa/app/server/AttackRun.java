@@ -7,8 +7,10 @@ import com.icegreen.greenmail.util.GreenMail;
 import com.icegreen.greenmail.util.ServerSetup;
 import java.io.IOException;
 import java.net.URI;
+import java.net.URLEncoder;
 import java.net.http.HttpHeaders;
 import java.net.http.HttpResponse;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.sql.SQLException;
 import java.time.Duration;
@@ -215,6 +217,13 @@ final class AttackRun implements AutoCloseable {
       text = text.replace("{" + place.getKey() + "}", place.getValue());
     }
     return text;
+  }
+
+  /** So that no floor is called as the next attack. */
+  void removeFloor(String name) {
+    String segment = URLEncoder.encode(name.strip(), StandardCharsets.UTF_8).replace("+", "%20");
+    expectStatus(
+        204, manager.sendJson("DELETE", "api/v1/floors/" + segment, ""), "removing " + name);
   }
 
   void addFault(String fault) {

@@ -156,6 +156,9 @@ final class FormAttacks {
     if (answer.statusCode() == 303 && form.route().equals("/tasks/{id}/edit")) {
       awaitShown(run.filled(form.page()), form.route(), values.getOrDefault("name", "").strip());
     }
+    if (answer.statusCode() == 303 && form.route().equals("/floors")) {
+      run.removeFloor(values.getOrDefault("name", ""));
+    }
     if (form.route().equals("/fleet/pause")) {
       HttpResponse<String> resumed = submit(manager, find("map", "/fleet/resume", manager), values);
       check("/fleet/resume back " + attack, resumed);

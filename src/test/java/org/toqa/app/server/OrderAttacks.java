@@ -129,6 +129,8 @@ final class OrderAttacks {
         JsonNode task = JSON.readTree(answer.body());
         assertEquals(body.get("name").asString().strip(), task.get("name").asString(), where);
         run.tasks().cancel(task.get("id").asLong());
+      } else if (order.path().equals("floors")) {
+        run.removeFloor(body.get("name").asString());
       } else if (order.path().equals("orders")) {
         JSON.readTree(answer.body())
             .get("tasks")

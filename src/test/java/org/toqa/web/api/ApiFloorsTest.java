@@ -13,6 +13,7 @@ import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
+import java.util.TreeMap;
 import javax.imageio.ImageIO;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -237,6 +238,25 @@ class ApiFloorsTest extends WebServerTest {
                     : one.equals(other) ? 0 : 1,
             came),
         () -> wanted + " and " + came);
+  }
+
+  @Test
+  void aFloorIsAddedByAFileOnThePage() throws Exception {
+    byte[] plan = png(new int[][] {{0xFFFFFF, 0x000000}});
+    Map<String, String> fields =
+        new TreeMap<>(Map.of("_csrf", manager.csrf(), "name", "Plan", "resolution", "0.5"));
+    assertEquals(303, manager.postFile("floors", fields, "plan.png", plan).statusCode());
+    assertEquals("[1,1]", get("floors/Plan", 200).at("/drawing/occupied").toString());
+
+    fields.put("name", "Torn");
+    HttpResponse<String> torn =
+        manager.postFile("floors", fields, "plan.png", Arrays.copyOf(plan, 30));
+    assertEquals(422, torn.statusCode());
+    assertTrue(torn.body().contains("is not a readable PNG picture"), torn.body());
+    get("floors/Torn", 404);
+
+    assertEquals(303, manager.post("floors/Plan/delete", Map.of()).statusCode());
+    get("floors/Plan", 404);
   }
 
   private static byte[] text(String text) {

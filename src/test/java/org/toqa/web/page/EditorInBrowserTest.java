@@ -16,6 +16,7 @@ import com.microsoft.playwright.options.FilePayload;
 import java.awt.image.BufferedImage;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Predicate;
 import javax.imageio.ImageIO;
@@ -81,7 +82,10 @@ class EditorInBrowserTest extends PagesInBrowser {
     page.locator("#difference").click();
     assertThat(page.locator("#changes-summary"))
         .hasText("New wall: 124 cells. Removed wall: 0 cells. Places and areas changed: 6.");
-    assertFits(page, "editor", DARK, PHONE, DARK_PHONE, DESK);
+    assertFits(page, "editor", PHONE, DARK_PHONE, DARK);
+    assertEquals(List.of(), Accessibility.faultsOfColours(page, "editor in the dark"));
+    assertFits(page, "editor", DESK);
+    assertEquals(List.of(), Accessibility.faults(page, "editor"));
     page.locator("#difference").click();
 
     FloorDrawing drawing = draft("Ümit 2").drawing();
@@ -221,6 +225,14 @@ class EditorInBrowserTest extends PagesInBrowser {
     click(page, 8.25, 3.15);
     assertThat(page.locator("#save-state")).containsText("Not saved: The server does not answer.");
     picture(page, "editor-away");
+    List<String> asked = new ArrayList<>();
+    page.onceDialog(
+        dialog -> {
+          asked.add(dialog.type());
+          dialog.dismiss(); // the page is not left
+        });
+    page.evaluate("location.reload()");
+    await(page, () -> asked.equals(List.of("beforeunload")));
     page.unroute("**/draft");
     page.evaluate("dispatchEvent(new Event('online'))");
     assertThat(page.locator("#save-state")).hasText("Draft saved");

@@ -123,6 +123,10 @@ class OpenApiTest {
     assertDescribed("Event", "api/v1/tasks/1", "/history/0");
     assertDescribed("Robot", "api/v1/robots/r1", "");
     assertDescribed("Pose", "api/v1/robots/r1", "/pose");
+    assertDescribed("FloorSummary", "api/v1/floors", "/0");
+    assertDescribed("DrawnFloor", "api/v1/floors/hall", "");
+    assertDescribed("Drawing", "api/v1/floors/hall", "/drawing");
+    assertDescribed("Draft", "api/v1/floors/hall/draft", "");
     assertDescribed("NamedPlace", "api/v1/map", "/stations/0");
     assertDescribed("FloorTracks", "api/v1/tracks", "");
     assertDescribed("RobotTrack", "api/v1/tracks", "/robots/0");
