@@ -34,6 +34,11 @@ public record FloorDrawing(
         walls, List.of(), List.of(), List.of(), List.of(), List.of(), List.of());
   }
 
+  public FloorDrawing withWalls(OccupancyGrid others) {
+    return new FloorDrawing(
+        others, stations, parking, charging, keepOut, speedLimits, oneWay);
+  }
+
   /** The stations, then the parking points, then the charging points. */
   public Stream<Place> places() {
     return Stream.of(stations, parking, charging).flatMap(List::stream);

@@ -113,7 +113,7 @@ class MapFilesFuzzTest {
       ros.put(name, Objects.requireNonNull(archive.content(name)));
     }
     Map<String, byte[]> withPng = new LinkedHashMap<>();
-    String yaml = text(ros.get("m.yaml")).replace("m.pgm", "m.png").replace("0]", "0.7]");
+    String yaml = text(Objects.requireNonNull(ros.get("m.yaml"))).replace("m.pgm", "m.png").replace("0]", "0.7]");
     withPng.put("m.yaml", yaml.getBytes(StandardCharsets.UTF_8));
     withPng.put("m.png", png(BufferedImage.TYPE_BYTE_GRAY));
     Map<String, byte[]> plain = new LinkedHashMap<>(ros);
@@ -146,7 +146,7 @@ class MapFilesFuzzTest {
     String changed = names.get(random.nextInt(names.size()));
     Map<String, byte[]> others = new LinkedHashMap<>();
     for (String name : names) {
-      byte[] content = files.get(name);
+      byte[] content = Objects.requireNonNull(files.get(name));
       others.put(name, name.equals(changed) ? mutated(name, content) : content);
     }
     return others;

@@ -1,0 +1,114 @@
+package org.toqa.fleet;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.nio.file.Path;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.BitSet;
+import java.util.List;
+import java.util.concurrent.CompletionStage;
+import java.util.concurrent.TimeUnit;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.toqa.geometry.Pose;
+import org.toqa.geometry.Vec2;
+import org.toqa.grid.Disc;
+import org.toqa.grid.FloorDrawing;
+import org.toqa.grid.FloorMap;
+import org.toqa.grid.OccupancyGrid;
+import org.toqa.grid.Place;
+import org.toqa.mission.TaskState;
+import org.toqa.sim.SimulatedFloor;
+
+/** A map comes in force while robots drive. */
+class PublishedMapTest {
+  private static final double SPEED = 50;
+  private static final int COLUMNS = 40;
+  private static final int ROWS = 14;
+  private static final double CELL = 0.3;
+
+  /** Between the stations; its ends stay open. */
+  private static final int WALL_COLUMN = 26;
+
+  @TempDir private Path folder;
+  private LiveFloor live;
+
+  @BeforeEach
+  void open() throws Exception {
+    FloorMap floor =
+        new FloorMap(
+            "hall",
+            new OccupancyGrid(COLUMNS, ROWS, CELL, Vec2.ZERO, new BitSet()),
+            List.of(new Place("West", new Vec2(3, 2.1)), new Place("East", new Vec2(10.5, 2.1))),
+            List.of(new Place("P1", new Vec2(0.9, 0.9)), new Place("P2", new Vec2(0.9, 3.3))),
+            List.of());
+    live = new LiveFloor(folder, floor, SimulatedFloor.of(floor), SPEED);
+    live.start();
+  }
+
+  @AfterEach
+  void close() throws Exception {
+    live.close();
+  }
+
+  @Test
+  void robotOnItsWayGoesRoundANewWall() throws Exception {
+    long task = live.submit(2, "West", "East");
+    live.await(view -> LiveFloor.isInState(view, task, TaskState.CARRYING));
+    FloorMap before = live.fleet.floors().getFirst();
+    FloorDrawing next = withWall(before.drawing());
+
+    FloorEditing editing = live.fleet.floorEditing();
+    List<MapProblem> problems =
+        accepted(editing.check("hall", next, "Max")).stream()
+            .filter(MapProblem::isBlocking)
+            .toList();
+    assertEquals(List.of(), problems);
+    long revision = editing.draft("hall").orElseThrow().revision();
+    long saved = accepted(editing.saveDraft("hall", next, revision, "Max")).revision();
+    assertTrue(
+        editing
+                .publish("hall", revision, "Max")
+                .toCompletableFuture()
+                .get(10, TimeUnit.SECONDS)
+            instanceof Answer.Outdated<FloorMap>);
+    assertEquals(next, accepted(editing.publish("hall", saved, "Max")).drawing());
+    assertEquals(next, live.fleet.floors().getFirst().drawing());
+    assertFalse(editing.draft("hall").orElseThrow().isDraft());
+
+    List<Vec2> track = new ArrayList<>();
+    live.clock.add(nanos -> look(track), Duration.ofMillis(100));
+    live.await(view -> LiveFloor.isInState(view, task, TaskState.DONE));
+    Disc body = new Disc(0.1275);
+    for (Vec2 point : track) {
+      assertTrue(body.isFreeAt(next.walls(), point), () -> "in the new wall at " + point);
+    }
+    assertTrue(track.stream().anyMatch(point -> point.x() > 9), "it came to the other side");
+  }
+
+  private void look(List<Vec2> track) {
+    for (String robot : List.of("r1", "r2")) {
+      live.robots.truePose(robot).map(Pose::position).ifPresent(track::add);
+    }
+  }
+
+  private static FloorDrawing withWall(FloorDrawing drawing) {
+    BitSet walls = drawing.walls().occupied();
+    for (int row = 3; row < ROWS - 3; row++) {
+      walls.set(row * COLUMNS + WALL_COLUMN);
+    }
+    return drawing.withWalls(drawing.walls().withOccupied(walls));
+  }
+
+  private static <T> T accepted(CompletionStage<Answer<T>> answer)
+      throws Exception {
+    Answer<T> given = answer.toCompletableFuture().get(10, TimeUnit.SECONDS);
+    assertTrue(given instanceof Answer.Accepted<T>, given::toString);
+    return ((Answer.Accepted<T>) given).value();
+  }
+}
