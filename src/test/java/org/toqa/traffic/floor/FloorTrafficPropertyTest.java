@@ -90,8 +90,7 @@ class FloorTrafficPropertyTest {
     OccupancyGrid grid =
         fine == 1
             ? withAreas(coarse, seed)
-            : withAreas(
-                coarse, finer(coarse, fine, DrivenFloor.CELL / fine, random), fine, seed);
+            : withAreas(coarse, finer(coarse, fine, DrivenFloor.CELL / fine, random), fine, seed);
     double diameter = 0.2 + 0.18 * random.nextDouble(); // 2 cm less than the narrowest aisle
     for (int i = 0; i < 20; i++) {
       Collections.shuffle(free, random);

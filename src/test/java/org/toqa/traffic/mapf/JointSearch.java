@@ -54,7 +54,12 @@ final class JointSearch {
     List<List<Cell>> all = new ArrayList<>();
     Cell from = before.get(robot);
     choices(from)
-        .filter(to -> isInDirection(from, to) && grid.isFree(to) && !chosen.contains(to) && !swaps(before, chosen, from, to))
+        .filter(
+            to ->
+                isInDirection(from, to)
+                    && grid.isFree(to)
+                    && !chosen.contains(to)
+                    && !swaps(before, chosen, from, to))
         .forEach(
             to ->
                 all.addAll(
