@@ -33,10 +33,23 @@ final class PathEnds {
             c -> !c.equals(here) && free.isFree(c) && isInDirection(robot, c));
   }
 
+  /** Who has its goal a little behind it, against a direction, begins ahead and comes round. */
   private boolean isInDirection(TrafficRobot robot, Cell cell) {
-    Vec2 from = robot.committedEnd().position();
     OccupancyGrid grid = freeSpace.grid();
-    return grid.rules().metresAgainst(from, grid.centre(cell)) <= MoveRules.SLACK;
+    MoveRules rules = grid.rules();
+    if (!rules.isDirected()) {
+      return true;
+    }
+    Vec2 from = robot.committedEnd().position();
+    Vec2 goal = robot.goal();
+    double nearby = BESIDE * grid.resolution();
+    boolean isGoalBehind =
+        goal != null
+            && from.distanceTo(goal) < nearby
+            && rules.metresAgainst(from, goal) > MoveRules.SLACK;
+    return isGoalBehind
+        ? !cell.equals(robot.goalCell()) && rules.allows(from, grid.centre(cell))
+        : rules.metresAgainst(from, grid.centre(cell)) <= MoveRules.SLACK;
   }
 
   private static boolean isOpen(OccupancyGrid free, Cell cell) {

@@ -122,11 +122,14 @@ final class SingleRobotPlanner {
     }
     OccupancyGrid free =
         freeSpace.seenBy(robot).freeCells(robot.radius()).withRules(MoveRules.NONE);
-    List<Vec2> points =
-        path(free, ends.entry(free, robot), ends.exit(free, robot, goal)).stream()
-            .flatMap(path -> path.cells().stream())
-            .map(grid::centre)
-            .toList();
+    List<Vec2> points = new ArrayList<>(List.of(robot.committedEnd().position()));
+    path(free, ends.entry(free, robot), ends.exit(free, robot, goal)).stream()
+        .flatMap(path -> path.cells().stream())
+        .map(grid::centre)
+        .forEach(points::add);
+    if (points.size() > 1 && robot.goal() != null) {
+      points.add(robot.goal());
+    }
     return IntStream.range(1, points.size())
         .filter(i -> !grid.rules().allows(points.get(i - 1), points.get(i)))
         .mapToObj(points::get)
