@@ -21,6 +21,7 @@ import org.toqa.wording.Sentence;
  * @param chargerShortage null: the charging points are enough, as far as is known
  * @param seen the same obstacles one by one, with their age, also doubted ones
  * @param heldLoads where robots hold loads that several carry
+ * @param map names the map in force; another one has another name
  * @param zones by which the allocator {@code zones} decides, in their order; empty without robots
  */
 public record FloorView(
@@ -34,7 +35,8 @@ public record FloorView(
     @Nullable ChargerShortage chargerShortage,
     List<SeenObstacle> seen,
     List<HeldLoad> heldLoads,
-    List<ZoneView> zones) {
+    List<ZoneView> zones,
+    String map) {
 
   public FloorView {
     silentRobotCells = Map.copyOf(silentRobotCells);
@@ -58,7 +60,8 @@ public record FloorView(
         chargerShortage,
         seen,
         heldLoads,
-        next);
+        next,
+        map);
   }
 
   /**

@@ -35,8 +35,7 @@ public record FloorDrawing(
   }
 
   public FloorDrawing withWalls(OccupancyGrid others) {
-    return new FloorDrawing(
-        others, stations, parking, charging, keepOut, speedLimits, oneWay);
+    return new FloorDrawing(others, stations, parking, charging, keepOut, speedLimits, oneWay);
   }
 
   /** The stations, then the parking points, then the charging points. */

@@ -14,6 +14,7 @@ public final class FloorMap {
   private final FloorDrawing drawing;
   private final OccupancyGrid grid;
   private final Margins margins;
+  private final String version;
 
   /** The places that have a heading. */
   private final List<Place> facing;
@@ -30,6 +31,7 @@ public final class FloorMap {
     this.drawing = drawing;
     this.grid = grid;
     this.margins = margins;
+    this.version = Integer.toHexString(drawing.hashCode());
     this.facing = drawing.places().filter(place -> place.heading() != null).toList();
   }
 
@@ -56,6 +58,11 @@ public final class FloorMap {
 
   public String name() {
     return name;
+  }
+
+  /** Names what is drawn, within one process: another map has another name. */
+  public String version() {
+    return version;
   }
 
   public FloorDrawing drawing() {

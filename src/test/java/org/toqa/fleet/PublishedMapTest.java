@@ -72,10 +72,7 @@ class PublishedMapTest {
     long revision = editing.draft("hall").orElseThrow().revision();
     long saved = accepted(editing.saveDraft("hall", next, revision, "Max")).revision();
     assertTrue(
-        editing
-                .publish("hall", revision, "Max")
-                .toCompletableFuture()
-                .get(10, TimeUnit.SECONDS)
+        editing.publish("hall", revision, "Max").toCompletableFuture().get(10, TimeUnit.SECONDS)
             instanceof Answer.Outdated<FloorMap>);
     assertEquals(next, accepted(editing.publish("hall", saved, "Max")).drawing());
     assertEquals(next, live.fleet.floors().getFirst().drawing());
@@ -105,8 +102,7 @@ class PublishedMapTest {
     return drawing.withWalls(drawing.walls().withOccupied(walls));
   }
 
-  private static <T> T accepted(CompletionStage<Answer<T>> answer)
-      throws Exception {
+  private static <T> T accepted(CompletionStage<Answer<T>> answer) throws Exception {
     Answer<T> given = answer.toCompletableFuture().get(10, TimeUnit.SECONDS);
     assertTrue(given instanceof Answer.Accepted<T>, given::toString);
     return ((Answer.Accepted<T>) given).value();

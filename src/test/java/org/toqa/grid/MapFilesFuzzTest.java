@@ -113,7 +113,10 @@ class MapFilesFuzzTest {
       ros.put(name, Objects.requireNonNull(archive.content(name)));
     }
     Map<String, byte[]> withPng = new LinkedHashMap<>();
-    String yaml = text(Objects.requireNonNull(ros.get("m.yaml"))).replace("m.pgm", "m.png").replace("0]", "0.7]");
+    String yaml =
+        text(Objects.requireNonNull(ros.get("m.yaml")))
+            .replace("m.pgm", "m.png")
+            .replace("0]", "0.7]");
     withPng.put("m.yaml", yaml.getBytes(StandardCharsets.UTF_8));
     withPng.put("m.png", png(BufferedImage.TYPE_BYTE_GRAY));
     Map<String, byte[]> plain = new LinkedHashMap<>(ros);

@@ -44,7 +44,8 @@ public final class Views {
         chargerShortage,
         List.of(),
         List.of(),
-        List.of());
+        List.of(),
+        "");
   }
 
   /** A task with its own load, which is where it was when the task was ordered. */

@@ -169,6 +169,7 @@ public final class FleetServer implements AutoCloseable {
     parts.push(fleet);
     clock.add(new FleetInWorld(fleet, clock, simulated != null), FLEET_TICK);
     if (simulated != null) {
+      fleet.addMapListener(simulated::rebuild);
       SimulatedDocks docks = new SimulatedDocks(simulated, fleet);
       clock.add(nanos -> docks.locateStandingRobots(), SimulatedDocks.PERIOD);
     }

@@ -146,7 +146,8 @@ final class FloorWatch {
         chargerShortage,
         obstacles.views(),
         heldLoads,
-        List.of());
+        List.of(),
+        floor.version());
   }
 
   private Sentence sentence(Obstacle obstacle) {

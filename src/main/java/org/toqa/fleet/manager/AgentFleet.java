@@ -9,6 +9,7 @@ import java.util.Set;
 import java.util.UUID;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionStage;
+import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
@@ -92,6 +93,7 @@ public final class AgentFleet implements Fleet, AutoCloseable {
   private final FleetMonitor monitor;
   private final FloorEditor editor;
   private final MissingFloors missingFloors;
+  private final List<Consumer<FloorMap>> mapListeners = new CopyOnWriteArrayList<>();
   private final CompletableFuture<Void> failed = new CompletableFuture<>();
   private volatile boolean isClosing;
 
@@ -173,7 +175,7 @@ public final class AgentFleet implements Fleet, AutoCloseable {
             robots,
             shared,
             this::startFloor,
-            (entry, map) -> agents(map, entry.snapshots()));
+            this::restartFloor);
     try {
       startAll(floorStore.floors());
     } catch (RuntimeException e) {
@@ -208,6 +210,11 @@ public final class AgentFleet implements Fleet, AutoCloseable {
     floors.add(entry);
     snapshots.renew();
     entry.start(() -> agents(map, feed));
+  }
+
+  private FloorFleet restartFloor(FloorEntry entry, FloorMap map) {
+    mapListeners.forEach(listener -> listener.accept(map));
+    return agents(map, entry.snapshots());
   }
 
   private void renewSnapshots() {
@@ -550,6 +557,15 @@ public final class AgentFleet implements Fleet, AutoCloseable {
         .flatMap(floor -> floor.agents().stream())
         .mapToLong(agents -> agents.passedOver(kind))
         .sum();
+  }
+
+  /**
+   * From now on the listener is told of each map that comes in force on a floor that there is.
+   *
+   * @param listener called before robots are planned on it
+   */
+  public void addMapListener(Consumer<FloorMap> listener) {
+    mapListeners.add(listener);
   }
 
   /** Completes when the agents have ended though nobody closed them: nothing moves any more. */

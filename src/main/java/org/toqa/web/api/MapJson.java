@@ -7,6 +7,7 @@ import org.toqa.grid.FloorMap;
 import org.toqa.grid.Margins;
 import org.toqa.grid.OccupancyGrid;
 import org.toqa.grid.Place;
+import org.toqa.web.api.DrawingJson.AreaJson;
 
 /**
  * A floor on the wire.
@@ -15,9 +16,11 @@ import org.toqa.grid.Place;
  * @param height cells, to the south
  * @param resolution metres along a cell's side
  * @param origin metres, the lower left corner of the lower left cell in the map frame
- * @param occupied runs of cells that are not free, row by row from the top: index of the first cell
- *     (row times width plus column), number of cells, and so on by turns
+ * @param occupied runs of cells that are not free, those of keep-out areas too, row by row from the
+ *     top: index of the first cell (row times width plus column), number of cells, and so on by
+ *     turns
  * @param margins kept from walls, metres
+ * @param version names what is drawn: another map has another name
  */
 record MapJson(
     String floor,
@@ -29,7 +32,11 @@ record MapJson(
     List<PlaceJson> parking,
     List<PlaceJson> charging,
     List<Integer> occupied,
-    Margins margins) {
+    List<AreaJson> keepOut,
+    List<AreaJson> speedLimits,
+    List<AreaJson> oneWay,
+    Margins margins,
+    String version) {
 
   /** Metres, map frame. */
   record PlaceJson(String name, double x, double y) {
@@ -40,6 +47,7 @@ record MapJson(
 
   static MapJson of(FloorMap floor) {
     OccupancyGrid grid = floor.grid();
+    DrawingJson areas = DrawingJson.of(floor.drawing());
     return new MapJson(
         floor.name(),
         grid.width(),
@@ -50,6 +58,10 @@ record MapJson(
         floor.parking().stream().map(PlaceJson::of).toList(),
         floor.charging().stream().map(PlaceJson::of).toList(),
         CellRuns.of(grid.occupied()).runs(),
-        floor.margins());
+        areas.keepOut(),
+        areas.speedLimits(),
+        areas.oneWay(),
+        floor.margins(),
+        floor.version());
   }
 }

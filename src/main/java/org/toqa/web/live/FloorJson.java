@@ -30,7 +30,8 @@ record FloorJson(
     @Nullable ChargerShortage chargerShortage,
     List<SeenJson> seen,
     List<HeldLoad> heldLoads,
-    List<ZoneView> zones) {
+    List<ZoneView> zones,
+    String map) {
 
   /** An obstacle that robots see or have seen. */
   record SeenJson(
@@ -64,6 +65,7 @@ record FloorJson(
         view.chargerShortage(),
         view.seen().stream().map(SeenJson::of).toList(),
         view.heldLoads(),
-        view.zones());
+        view.zones(),
+        view.map());
   }
 }
