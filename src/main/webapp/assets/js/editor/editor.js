@@ -153,11 +153,11 @@ class Editor {
 
   /** What a thing is, for people. */
   describe({kind, thing}) {
-    const x = metres(thing.x);
-    const y = metres(thing.y);
+    const at = text('common.position', metres(thing.x), metres(thing.y));
+    const what = text(`editor.kind.${kind}`);
     return isPlace(kind)
-      ? text('editor.describe.place', text(`editor.kind.${kind}`), thing.name, x, y)
-      : text('editor.describe.area', text(`editor.kind.${kind}`), metres(thing.width), metres(thing.height), x, y);
+      ? text('editor.describe.place', what, thing.name, at)
+      : text('editor.describe.area', what, text('loads.size', metres(thing.width), metres(thing.height)), at);
   }
 
   say(words) {
@@ -239,8 +239,8 @@ class Editor {
     $('#redo').disabled = !this.edits.canRedo;
     this.#panel.update();
     const {width, height, resolution} = this.drawing.grid;
-    const size = text('editor.size', width, height, metres(width * resolution), metres(height * resolution));
-    setText($('#size'), `${size} ${text('editor.size.cell', String(resolution))}`);
+    const size = text('loads.size', metres(width * resolution), metres(height * resolution));
+    setText($('#size'), `${size} · ${text('editor.size', width, height, String(resolution))}`);
   }
 
   #listenForTools() {
