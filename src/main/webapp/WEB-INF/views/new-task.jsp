@@ -141,5 +141,5 @@
       <output id="preview" class="preview" dir="auto" for="load startStation goalStation" hidden></output>
     </div>
   </div>
-  <t:texts keys="common.comma newTask.start newTask.goal map.failed newTask.preview.chosen newTask.preview.needs newTask.preview.waits newTask.preview.metres"/>
+  <t:texts keys="common.comma map.speedLimit newTask.start newTask.goal map.failed newTask.preview.chosen newTask.preview.needs newTask.preview.waits newTask.preview.metres"/>
 </t:page>

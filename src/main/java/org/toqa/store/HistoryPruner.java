@@ -22,6 +22,16 @@ public final class HistoryPruner {
   private static final String OLD_UTILISATION =
       "delete from robot_use where at < :before limit " + BATCH_SIZE;
 
+  private static final String OLD_MAPS =
+      """
+      select m.id from floor_maps m where m.since < :before
+        and (exists (select 1 from floor_maps n where n.floor = m.floor and n.id > m.id
+            and n.since < :before)
+          or not exists (select 1 from floors f where f.name = m.floor))
+      order by m.id limit
+      """
+          + BATCH_SIZE;
+
   private static final String OLD_TASKS =
       """
       select id from tasks where changed_at < :before and state in ('DONE', 'FAILED', 'CANCELLED')
@@ -67,6 +77,7 @@ public final class HistoryPruner {
   public long pruneHistory(Instant before) {
     deleteInBatches(() -> deleteOlder(OLD_EVENTS, before));
     deleteInBatches(() -> deleteOlder(OLD_UTILISATION, before));
+    deleteInBatches(() -> deleteOldMaps(before));
     return deleteInBatches(() -> deleteEndedTasks(before));
   }
 
@@ -88,6 +99,20 @@ public final class HistoryPruner {
       removed += now;
     } while (now == BATCH_SIZE);
     return removed;
+  }
+
+  /** Of each floor that there is, the map in force then stays. */
+  private int deleteOldMaps(Instant before) {
+    return sql.inTransaction(
+        h -> {
+          List<Long> ids = h.createQuery(OLD_MAPS).bind("before", before).mapTo(Long.class).list();
+          if (!ids.isEmpty()) {
+            h.createUpdate("delete from floor_maps where id in (<ids>)")
+                .bindList("ids", ids)
+                .execute();
+          }
+          return ids.size();
+        });
   }
 
   private int deleteOlder(String statement, Instant before) {

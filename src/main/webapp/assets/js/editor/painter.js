@@ -1,19 +1,8 @@
+import {AREA_COLOURS, TURNS, boxOnScreen, drawAreas, drawArrow} from '../floor/areas.js';
 import {drawGridLines} from '../floor/grid-lines.js';
-import {drawLabel} from '../floor/labels.js';
 import {drawPlaces} from '../floor/places.js';
 import {rowsOf} from '../floor/runs.js';
-import {text} from '../shared/texts.js';
 import {PLACE_KINDS, isPlace} from './drawing.js';
-
-/** Colour and filling of each kind of area. */
-const AREAS = {
-  keepOut: 'state-error',
-  speedLimits: 'map-goal',
-  oneWay: 'state-driving',
-};
-
-const TURNS = {east: 0, north: -Math.PI / 2, west: Math.PI, south: Math.PI / 2};
-const ARROW = 26; // pixels between two arrows of a one-way area
 
 /** Draws what is edited: the drawing, what is selected, what the tool would do, the cursor. */
 export class Painter {
@@ -38,7 +27,7 @@ export class Painter {
     if (cell >= 8) {
       drawGridLines(context, viewport, colours, frame);
     }
-    this.#drawAreas(context, viewport, colours, scene);
+    drawAreas(context, viewport, colours, scene.things);
     context.imageSmoothingEnabled = false;
     const walls = this.#walls.picture(drawing, colours['map-wall']);
     context.drawImage(walls, left, top, width * cell, height * cell);
@@ -53,21 +42,6 @@ export class Painter {
     this.#drawSelection(context, viewport, colours, scene);
     this.#drawCursor(context, colours, frame, scene.cursor);
     drawMarks(context, viewport, colours, scene.marks);
-  }
-
-  #drawAreas(context, viewport, colours, {things}) {
-    for (const [kind, colour] of Object.entries(AREAS)) {
-      for (const area of things[kind]) {
-        const box = boxOnScreen(viewport, area);
-        drawArea(context, colours, box, kind, colours[colour]);
-        if (kind === 'oneWay') {
-          drawArrows(context, box, area.direction, colours[colour]);
-        } else if (kind === 'speedLimits' && box.width > 40 && box.height > 16) {
-          const words = text('editor.speed', String(area.speed));
-          drawLabel(context, colours, words, box.x + box.width / 2, box.y + box.height / 2, 'middle', colours[colour]);
-        }
-      }
-    }
   }
 
   /** How a robot stands at a place, and from where it comes. */
@@ -91,7 +65,7 @@ export class Painter {
       return;
     }
     context.globalAlpha = 0.6;
-    context.fillStyle = colours[shape.isErasing ? 'state-error' : AREAS[shape.kind] ?? 'map-wall'];
+    context.fillStyle = colours[shape.isErasing ? 'state-error' : AREA_COLOURS[shape.kind] ?? 'map-wall'];
     for (const {column, row} of shape.cells ?? []) {
       context.fillRect(left + column * cell, top + row * cell, cell, cell);
     }
@@ -188,68 +162,6 @@ class WallPicture {
       }
     }
   }
-}
-
-export function boxOnScreen(viewport, {x, y, width, height}) {
-  const [left, top] = viewport.toScreen(x, y + height);
-  return {x: left, y: top, width: width * viewport.scale, height: height * viewport.scale};
-}
-
-function drawArea(context, colours, {x, y, width, height}, kind, colour) {
-  context.save();
-  context.beginPath();
-  context.rect(x, y, width, height);
-  context.globalAlpha = 0.16;
-  context.fillStyle = colour;
-  context.fill();
-  context.globalAlpha = 0.9;
-  context.strokeStyle = colour;
-  context.lineWidth = 1.5;
-  context.setLineDash(kind === 'speedLimits' ? [6, 4] : []);
-  context.stroke();
-  if (kind === 'keepOut') {
-    context.clip();
-    context.globalAlpha = 0.5;
-    context.setLineDash([]);
-    context.beginPath();
-    for (let offset = -height; offset < width; offset += 9) {
-      context.moveTo(x + offset, y + height);
-      context.lineTo(x + offset + height, y);
-    }
-    context.stroke();
-  }
-  context.restore();
-}
-
-function drawArrows(context, {x, y, width, height}, direction, colour) {
-  const columns = Math.max(1, Math.floor(width / ARROW));
-  const rows = Math.max(1, Math.floor(height / ARROW));
-  if (columns * rows > 2000) {
-    return;
-  }
-  const size = Math.min(9, width / 2, height / 2);
-  for (let column = 0; column < columns; column++) {
-    for (let row = 0; row < rows; row++) {
-      drawArrow(context, x + (column + 0.5) * width / columns, y + (row + 0.5) * height / rows, TURNS[direction], size, colour);
-    }
-  }
-}
-
-/** Round its middle. */
-function drawArrow(context, x, y, angle, size, colour) {
-  context.save();
-  context.translate(x, y);
-  context.rotate(angle);
-  context.beginPath();
-  context.moveTo(-size, 0);
-  context.lineTo(size, 0);
-  context.moveTo(size * 0.4, -size * 0.5);
-  context.lineTo(size, 0);
-  context.lineTo(size * 0.4, size * 0.5);
-  context.strokeStyle = colour;
-  context.lineWidth = 2;
-  context.stroke();
-  context.restore();
 }
 
 /** A triangle at the edge of a sign of that half width, which points outward. */

@@ -1,4 +1,5 @@
 import {fetchJson} from '../shared/server.js';
+import {drawAreas} from './areas.js';
 import {drawGridLines} from './grid-lines.js';
 import {drawPlaces} from './places.js';
 import {rowsOf} from './runs.js';
@@ -16,13 +17,28 @@ export class Floor {
     this.#map = map;
   }
 
-  static async load(name) {
-    const query = name ? `?floor=${encodeURIComponent(name)}` : '';
-    return new Floor(await fetchJson(`api/v1/map${query}`));
+  /**
+   * @param name undefined: the first one
+   * @param at milliseconds since 1970; undefined: as it is
+   */
+  static async load(name, at) {
+    const query = new URLSearchParams();
+    if (name) {
+      query.set('floor', name);
+    }
+    if (at !== undefined) {
+      query.set('at', new Date(at).toISOString());
+    }
+    return new Floor(await fetchJson(`api/v1/map?${query}`));
   }
 
   get name() {
     return this.#map.floor;
+  }
+
+  /** Names what is drawn: another map has another one. */
+  get version() {
+    return this.#map.version;
   }
 
   get stations() {
@@ -56,6 +72,7 @@ export class Floor {
     }
     context.imageSmoothingEnabled = false;
     context.drawImage(this.#wallPicture(colours['map-wall']), left, top, width * cell, height * cell);
+    drawAreas(context, viewport, colours, this.#map);
     drawPlaces(context, viewport, colours, this.#map, resolution);
   }
 

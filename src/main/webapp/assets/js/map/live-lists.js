@@ -8,17 +8,20 @@ const whole = new Intl.NumberFormat(locale);
 const $ = (selector) => document.querySelector(selector);
 
 /**
- * Fills the lists of robots and tasks beside the live map.
+ * Fills the lists of robots and tasks beside the live map: those of the floor.
  *
+ * @param floor its name; undefined: those of all floors
  * @param isShown whether the filter lets a robot through
  */
-export function updateLiveLists(state, isShown) {
-  updateLinkList($('#robots'), state.robots.filter(isShown).map(robotEntry));
-  $('#no-robots').hidden = state.robots.length > 0;
-  const open = state.openTasks;
+export function updateLiveLists(state, floor, isShown) {
+  const isHere = (one) => floor === undefined || one.floor === floor;
+  const robots = state.robots.filter(isHere);
+  updateLinkList($('#robots'), robots.filter(isShown).map(robotEntry));
+  $('#no-robots').hidden = robots.length > 0;
+  const open = state.openTasks.filter(isHere);
   updateLinkList($('#tasks'), open.map(taskEntry));
   $('#no-tasks').hidden = open.length > 0;
-  const more = state.queued - open.filter((task) => task.state === 'QUEUED').length;
+  const more = state.queued - state.openTasks.filter((task) => task.state === 'QUEUED').length;
   setText($('#more-tasks'), text('map.tasks.more', whole.format(more)));
   $('#more-tasks').hidden = more <= 0;
 }

@@ -18,6 +18,7 @@ import {StateFilter} from './state-filter.js';
 import {Switch} from './switch.js';
 import {drawZones} from './zones.js';
 
+const MINUTE = 60_000; // milliseconds
 const SMALLEST_FOOTPRINT = 0.255; // metres, the diameter of a robot of which nothing else is known
 
 const $ = (selector) => document.querySelector(selector);
@@ -25,6 +26,8 @@ const $ = (selector) => document.querySelector(selector);
 /** The map page: a floor with its robots and tasks, live or as a replay, and the lists beside it. */
 class MapPage {
   #floor; // undefined until it is loaded
+  #shownAt; // milliseconds since 1970, of the map of a replay; undefined: it is the one in force
+  #isLoading = false;
   #hasSnapshot = false;
   #state = new FleetState();
   #interpolator = new PoseInterpolator();
@@ -64,6 +67,46 @@ class MapPage {
     updateAttentionList($('#attention'), this.#state);
     if (!this.#replay.isOpen) {
       this.#showLive();
+      this.#followPublishedMap();
+    }
+  }
+
+  /** Another map may have come in force. */
+  #followPublishedMap() {
+    const view = this.#floor && this.#state.floor(this.#floor.name);
+    if (view && view.map !== this.#floor.version) {
+      this.#loadMap();
+    }
+  }
+
+  /** The map of the time shown, which hardly ever is another one. */
+  #followReplayedMap() {
+    const minute = MINUTE * Math.floor(this.#replay.time / MINUTE);
+    if (minute !== this.#shownAt) {
+      this.#loadMap(minute);
+    }
+  }
+
+  /** Loads the map of the same floor again, as it is or was. */
+  async #loadMap(at) {
+    if (this.#isLoading) {
+      return;
+    }
+    this.#isLoading = true;
+    const name = this.#floor.name;
+    try {
+      const loaded = await Floor.load(name, at);
+      if (this.#floor.name === name) {
+        this.#shownAt = at;
+        if (loaded.version !== this.#floor.version) {
+          this.#floor = loaded;
+          this.#canvas.requestFrame();
+        }
+      }
+    } catch {
+      this.#status.showLoadFailure();
+    } finally {
+      this.#isLoading = false;
     }
   }
 
@@ -82,14 +125,16 @@ class MapPage {
       this.#canvas.requestFrame();
       updateReplayLists(this.#robotsInReplay, this.#replay);
     } else {
+      this.#shownAt = undefined;
+      this.#followPublishedMap();
       this.#showLive();
     }
   }
 
   #showLive() {
     this.#canvas.requestFrame();
-    this.#filter.update(this.#state.robots);
-    updateLiveLists(this.#state, (robot) => this.#filter.includes(robot));
+    this.#filter.update(this.#floor ? this.#robotsHere : this.#state.robots);
+    updateLiveLists(this.#state, this.#floor?.name, (robot) => this.#filter.includes(robot));
     this.#status.show();
   }
 
@@ -130,6 +175,7 @@ class MapPage {
 
   #drawReplay(context, viewport, colours, now) {
     const isAdvancing = this.#replay.advance(now);
+    this.#followReplayedMap();
     const poseOf = (name) => this.#replay.poseOf(name);
     const robots = this.#robotsInReplay.map((robot) => replayedRobot(robot, poseOf(robot.name)));
     drawRobots(context, viewport, colours, robots, [], poseOf);
@@ -181,10 +227,14 @@ class MapPage {
   async #showFloor(name) {
     try {
       this.#floor = await Floor.load(name);
+      this.#shownAt = undefined;
       this.#measuring.close();
       this.#canvas.viewport.setBounds(this.#floor.bounds);
       this.#canvas.requestFrame();
       this.#replay.changeFloor();
+      if (this.#hasSnapshot && !this.#replay.isOpen) {
+        this.#showLive();
+      }
     } catch {
       this.#status.showLoadFailure();
     }

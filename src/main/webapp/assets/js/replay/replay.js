@@ -46,6 +46,11 @@ export class Replay {
     return this.#data !== undefined;
   }
 
+  /** The time shown. */
+  get time() {
+    return this.#time;
+  }
+
   /** Whether the data of the time shown are still being fetched. */
   get isLoading() {
     return !this.#data.isLoaded(this.#time);

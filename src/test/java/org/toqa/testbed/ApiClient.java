@@ -76,6 +76,14 @@ public final class ApiClient implements AutoCloseable {
     return Reply.of(answer(request(path).POST(body(body))));
   }
 
+  public Reply put(String path, Object body) throws IOException, InterruptedException {
+    return Reply.of(answer(request(path).PUT(body(body))));
+  }
+
+  public Reply delete(String path) throws IOException, InterruptedException {
+    return Reply.of(answer(request(path).DELETE()));
+  }
+
   /** Sends a table of tasks; the answer comes later, or fails with the connection. */
   public CompletableFuture<Reply> replyToTable(String path, String table, String key) {
     return http.sendAsync(tableRequest(path, table, key), HttpResponse.BodyHandlers.ofString())

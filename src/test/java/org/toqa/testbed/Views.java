@@ -45,7 +45,7 @@ public final class Views {
         List.of(),
         List.of(),
         List.of(),
-        "");
+        Hall.floor().version());
   }
 
   /** A task with its own load, which is where it was when the task was ordered. */

@@ -45,6 +45,7 @@ import org.toqa.fleet.Schedules;
 import org.toqa.fleet.SnapshotFeed;
 import org.toqa.fleet.StoreWriter;
 import org.toqa.fleet.TaskOrder;
+import org.toqa.fleet.TaskOrder.Where;
 import org.toqa.fleet.TaskPreview;
 import org.toqa.fleet.TaskView;
 import org.toqa.fleet.dispatch.AgentSystemSetup;
@@ -283,9 +284,12 @@ public final class AgentFleet implements Fleet, AutoCloseable {
 
   /** Asks the floor that an order names. */
   private <T> CompletionStage<Answer<T>> askResolved(
-      @Nullable String floor, Function<FloorFleet, CompletionStage<Answer<T>>> question) {
+      @Nullable String floor,
+      Where start,
+      Where goal,
+      Function<FloorFleet, CompletionStage<Answer<T>>> question) {
     return floors
-        .resolve(floor)
+        .resolve(floor, start, goal)
         .map(entry -> entry.ask(question))
         .orElseGet(
             () ->
@@ -336,7 +340,7 @@ public final class AgentFleet implements Fleet, AutoCloseable {
 
   @Override
   public CompletionStage<Answer<TaskView>> submit(TaskOrder order, String user, UUID key) {
-    return askResolved(order.floor(), floor -> floor.submit(order, user, key));
+    return askResolved(order.floor(), order.start(), order.goal(), floor -> floor.submit(order, user, key));
   }
 
   @Override
@@ -359,12 +363,13 @@ public final class AgentFleet implements Fleet, AutoCloseable {
 
   @Override
   public CompletionStage<Answer<TaskPreview>> preview(TaskOrder order, String user) {
-    return askResolved(order.floor(), floor -> floor.preview(order, user));
+    return askResolved(order.floor(), order.start(), order.goal(), floor -> floor.preview(order, user));
   }
 
   @Override
   public CompletionStage<Answer<PathAnswer>> path(PathQuestion question, String user) {
-    return askResolved(question.floor(), floor -> floor.path(question, user));
+    return askResolved(
+        question.floor(), question.start(), question.goal(), floor -> floor.path(question, user));
   }
 
   @Override

@@ -5,6 +5,8 @@ import java.util.List;
 import java.util.Optional;
 import org.jspecify.annotations.Nullable;
 import org.toqa.fleet.Answer;
+import org.toqa.fleet.TaskOrder;
+import org.toqa.fleet.TaskOrder.Where;
 import org.toqa.wording.Phrase;
 import org.toqa.wording.Sentence;
 
@@ -35,6 +37,28 @@ final class FloorDirectory {
   /** The floor that an order names; the first one where it names none. */
   Optional<FloorEntry> resolve(@Nullable String name) {
     return name == null ? entries.stream().findFirst() : find(name);
+  }
+
+  /**
+   * The floor that an order names; where it names none, the first that has the stations that it
+   * names.
+   */
+  Optional<FloorEntry> resolve(@Nullable String name, Where start, Where goal) {
+    return name != null
+        ? find(name)
+        : entries.stream()
+            .filter(floor -> has(floor, start) && has(floor, goal))
+            .findFirst()
+            .or(() -> entries.stream().findFirst());
+  }
+
+  Optional<FloorEntry> resolve(TaskOrder order) {
+    return resolve(order.floor(), order.start(), order.goal());
+  }
+
+  private static boolean has(FloorEntry floor, Where where) {
+    return !(where instanceof Where.Station(String station))
+        || floor.map().stations().stream().anyMatch(s -> s.name().equals(station));
   }
 
   /** What is said to an order that names another. */

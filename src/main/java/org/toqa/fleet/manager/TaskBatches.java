@@ -56,7 +56,7 @@ final class TaskBatches {
   private Optional<List<Part>> parts(List<TaskOrder> orders) {
     Map<FloorEntry, List<Integer>> places = new LinkedHashMap<>();
     for (int i = 0; i < orders.size(); i++) {
-      Optional<FloorEntry> floor = floors.resolve(orders.get(i).floor());
+      Optional<FloorEntry> floor = floors.resolve(orders.get(i));
       if (floor.isEmpty()) {
         return Optional.empty();
       }
@@ -68,7 +68,7 @@ final class TaskBatches {
 
   private List<Rejection> unknownFloors(List<TaskOrder> orders) {
     return IntStream.range(0, orders.size())
-        .filter(i -> floors.resolve(orders.get(i).floor()).isEmpty())
+        .filter(i -> floors.resolve(orders.get(i)).isEmpty())
         .mapToObj(i -> new Rejection(i, "floor", floors.noSuchFloor(orders.get(i).floor())))
         .toList();
   }

@@ -1,0 +1,170 @@
+package org.toqa.app.server;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.File;
+import java.net.URI;
+import java.nio.file.Path;
+import java.util.EnumMap;
+import java.util.List;
+import java.util.Map;
+import java.util.stream.StreamSupport;
+import org.jspecify.annotations.Nullable;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.toqa.app.command.StopSignal;
+import org.toqa.app.config.Configuration;
+import org.toqa.app.config.Setting;
+import org.toqa.app.config.SettingSource;
+import org.toqa.testbed.ApiClient;
+import org.toqa.testbed.ApiClient.Reply;
+import org.toqa.web.WebTestServer;
+import tools.jackson.databind.JsonNode;
+
+/** Several floors on one server, as programs use them. */
+class FloorsOfServerTest {
+  private static final Path WEBAPP = Path.of("target/webapp").toAbsolutePath();
+  private static final Path MAPS = Path.of("maps").toAbsolutePath();
+  private static final Map<String, Object> POST_ROOM = Map.of("station", "Post room");
+  private static final Map<String, Object> ARCHIVE = Map.of("station", "Archive");
+
+  @TempDir private Path folder;
+
+  /** What a test does with a running server. */
+  @FunctionalInterface
+  private interface Use {
+    void use(FleetServer toqa, ApiClient api) throws Exception;
+  }
+
+  @Test
+  void tasksOfTwoFloorsAreCarriedBesideEachOtherAndListedApart() throws Exception {
+    run(
+        (toqa, api) -> {
+          assertEquals(List.of("lab", "offices"), names(api.get("floors")));
+          assertEquals(List.of("r1"), names(api.get("robots?floor=lab")));
+          assertEquals(List.of("r2"), names(api.get("robots?floor=offices")));
+          long steel =
+              order(api, Map.of("start", station("Goods-in 1"), "goal", station("Goods-in 2")));
+          long post = order(api, Map.of("start", POST_ROOM, "goal", ARCHIVE)); // by its stations
+          assertEquals("offices", api.get("tasks/" + post).get("floor").asString());
+
+          await(api, steel, "DONE");
+          await(api, post, "DONE");
+          assertEquals("r1", robotOf(api, steel));
+          assertEquals("r2", robotOf(api, post));
+          assertEquals(1, api.get("tasks?floor=offices").size());
+          assertEquals(2, api.get("tasks").size());
+          assertEquals(1, api.get("statistics?period=today&floor=lab").at("/total/done").asInt());
+          for (JsonNode event : api.get("history?floor=offices").get("events")) {
+            assertEquals("offices", event.get("floor").asString());
+          }
+          api.post("fleet/pause", Map.of());
+          assertTrue(api.get("fleet").has("pause"));
+          api.post("fleet/resume", Map.of());
+        });
+  }
+
+  @Test
+  void floorIsAddedDrawnPublishedAndRemoved() throws Exception {
+    run(
+        (toqa, api) -> {
+          api.post("floors", Map.of("name", "attic", "width", 6, "height", 6, "resolution", 0.3));
+          Reply twice =
+              api.replyTo(
+                  "floors", Map.of("name", "Attic", "width", 6, "height", 6, "resolution", 0.3));
+          assertEquals(422, twice.status());
+          JsonNode draft = api.get("floors/attic/draft");
+          Map<String, Object> drawing =
+              Map.of(
+                  "width", 20,
+                  "height", 20,
+                  "resolution", 0.3,
+                  "origin", Map.of("x", 0, "y", 0),
+                  "occupied", List.of(),
+                  "stations", List.of(place("Hatch", 0.75), place("Window", 5.25)),
+                  "parking", List.of(),
+                  "charging", List.of());
+          Map<String, Object> change =
+              Map.of("revision", draft.get("revision").asLong(), "drawing", drawing);
+          JsonNode saved = api.put("floors/attic/draft", change).body();
+          assertEquals(412, api.put("floors/attic/draft", change).status(), "it has changed");
+          api.post(
+              "floors/attic/draft/publish", Map.of("revision", saved.get("revision").asLong()));
+          assertEquals(2, api.get("map?floor=attic").get("stations").size());
+
+          long task = order(api, Map.of("start", station("Hatch"), "goal", station("Window")));
+          assertEquals(409, api.delete("floors/attic").status(), "it has a task");
+          api.post("tasks/" + task + "/cancel", Map.of());
+          await(api, task, "CANCELLED");
+        });
+    run(
+        (toqa, api) -> {
+          assertEquals(List.of("lab", "offices", "attic"), names(api.get("floors")));
+          assertEquals(2, api.get("map?floor=attic").get("stations").size());
+          assertTrue(api.delete("floors/attic").isAccepted());
+          assertEquals(409, api.delete("floors/lab").status(), "it has a robot");
+        });
+    run((toqa, api) -> assertEquals(List.of("lab", "offices"), names(api.get("floors"))));
+  }
+
+  private void run(Use use) throws Exception {
+    Map<Setting, @Nullable String> options = new EnumMap<>(Setting.class);
+    options.put(Setting.PORT, "0");
+    options.put(Setting.DATA, folder.toString());
+    options.put(Setting.MAP, MAPS.resolve("lab.yaml") + File.pathSeparator + MAPS.resolve("offices.yaml"));
+    options.put(Setting.SIMULATE, "1,1");
+    options.put(Setting.SPEED, "40");
+    options.put(Setting.MANAGER, "Max:" + WebTestServer.PASSWORD_HASH);
+    options.put(Setting.LOG_LEVEL, "ERROR");
+    Configuration configuration =
+        Configuration.of(MAPS.resolve("lab.yaml"), List.of(SettingSource.fromCommandLine(options)));
+    ServerOperation operation =
+        (FleetServer toqa, URI address, StopSignal _) -> {
+          try (ApiClient api = new ApiClient(address, "Max", WebTestServer.PASSWORD)) {
+            use.use(toqa, api);
+          }
+          return 0;
+        };
+    try (StopSignal stop = new StopSignal()) {
+      assertEquals(0, operation.runWith(configuration, WEBAPP, stop));
+    }
+  }
+
+  private static Map<String, Object> station(String name) {
+    return Map.of("station", name);
+  }
+
+  private static Map<String, Object> place(String name, double at) {
+    return Map.of("name", name, "x", at, "y", at);
+  }
+
+  private static long order(ApiClient api, Map<String, Object> places) throws Exception {
+    return api.post(
+            "tasks",
+            Map.of(
+                "name", "Box", "load", 2, "start", places.get("start"), "goal", places.get("goal")))
+        .get("id")
+        .asLong();
+  }
+
+  private static void await(ApiClient api, long task, String state) throws Exception {
+    api.awaitSnapshot(
+        snapshot ->
+            StreamSupport.stream(snapshot.get("tasks").spliterator(), false)
+                .anyMatch(
+                    t ->
+                        t.get("id").asLong() == task
+                            && t.get("state").asString().equals(state)));
+  }
+
+  private static String robotOf(ApiClient api, long task) throws Exception {
+    return api.get("tasks/" + task).get("robots").get(0).asString();
+  }
+
+  private static List<String> names(JsonNode list) {
+    return StreamSupport.stream(list.spliterator(), false)
+        .map(one -> one.get("name").asString())
+        .toList();
+  }
+}
