@@ -54,13 +54,13 @@ export class Draft {
     return draft;
   }
 
-  /** Goes on from a draft of the server. */
-  accept({revision}) {
+  /** Goes on from a draft of the server; nobody has changed it where there is none. */
+  accept({revision, user}) {
     this.#revision = revision;
     this.#isDirty = false;
     this.#isConflicting = false;
     clearTimeout(this.#timer);
-    this.#show(revision === 0 ? 'none' : 'saved');
+    this.#show(user ? 'saved' : 'none');
   }
 
   /** Saves what is drawn over the draft of somebody else. */

@@ -93,7 +93,7 @@ export class Publishing {
     $('#publishing').close();
     const {status, body} = await send('POST', `${this.#draft.path}/publish`, {revision: this.#draft.revision});
     if (status === 200) {
-      this.#draft.accept({revision: 0});
+      await this.#draft.load();
       await this.load();
       this.#showProblems([], text('editor.published'));
     } else {
@@ -105,8 +105,9 @@ export class Publishing {
     $('#discarding').close();
     const {status, body} = await send('DELETE', this.#draft.path);
     if (status === 204) {
-      this.#editor.edits.replace(this.inForce);
-      this.#draft.accept({revision: 0});
+      const now = await this.#draft.load();
+      this.#editor.edits.replace(now.drawing);
+      this.#draft.accept(now);
       this.#editor.say(text('editor.discarded'));
     } else {
       this.#editor.say(reasonOf(status, body));

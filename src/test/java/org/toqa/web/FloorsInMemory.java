@@ -29,7 +29,7 @@ final class FloorsInMemory implements FloorEditing {
   private final List<FloorMap> floors = new ArrayList<>();
   private final Map<String, FloorDraft> drafts = new TreeMap<>();
   private final Map<String, Instant> publishedAt = new TreeMap<>();
-  private long revisions;
+  private final Map<String, Long> revisions = new TreeMap<>();
 
   FloorsInMemory(SnapshotFeed snapshots) {
     this.snapshots = snapshots;
@@ -40,6 +40,7 @@ final class FloorsInMemory implements FloorEditing {
     floors.clear();
     drafts.clear();
     publishedAt.clear();
+    revisions.clear();
     floors.add(Hall.floor());
   }
 
@@ -85,7 +86,16 @@ final class FloorsInMemory implements FloorEditing {
     return floor(name)
         .map(
             floor ->
-                drafts.getOrDefault(name, new FloorDraft(name, 0, floor.drawing(), null, null)));
+                drafts.getOrDefault(
+                    name, new FloorDraft(name, revision(name), floor.drawing(), null, null)));
+  }
+
+  private long revision(String name) {
+    return revisions.getOrDefault(name, 0L);
+  }
+
+  private long nextRevision(String name) {
+    return revisions.merge(name, 1L, Long::sum);
   }
 
   @Override
@@ -97,7 +107,7 @@ final class FloorsInMemory implements FloorEditing {
           if (draft(name).orElseThrow().revision() != seen) {
             return new Answer.Outdated<>();
           }
-          FloorDraft saved = new FloorDraft(name, ++revisions, drawing, user, Instant.now());
+          FloorDraft saved = new FloorDraft(name, nextRevision(name), drawing, user, Instant.now());
           drafts.put(name, saved);
           return new Answer.Accepted<>(saved);
         });
@@ -109,6 +119,7 @@ final class FloorsInMemory implements FloorEditing {
         name,
         () -> {
           drafts.remove(name);
+          nextRevision(name);
           return new Answer.Accepted<>(draft(name).orElseThrow());
         });
   }
@@ -159,6 +170,7 @@ final class FloorsInMemory implements FloorEditing {
           FloorMap published = new FloorMap(name, draft.drawing(), Margins.USUAL);
           floors.replaceAll(f -> f.name().equals(name) ? published : f);
           drafts.remove(name);
+          nextRevision(name);
           publishedAt.put(name, Instant.now());
           return new Answer.Accepted<>(published);
         });

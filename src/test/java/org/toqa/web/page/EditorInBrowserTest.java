@@ -104,6 +104,13 @@ class EditorInBrowserTest extends PagesInBrowser {
     assertThat(page.locator("#save-state")).hasText("Nothing changed yet");
     FloorMap map = floor("Ümit 2");
     assertEquals(drawing.walls(), map.drawing().walls());
+    page.locator("#undo").click(); // and on with the next draft
+    assertThat(page.locator("#save-state")).hasText("Draft saved");
+    page.locator("#discard").click();
+    page.locator("#discard-sure").click();
+    assertThat(page.locator("#save-state")).hasText("Nothing changed yet");
+    page.locator("#undo").click();
+    assertThat(page.locator("#save-state")).hasText("Draft saved");
   }
 
   @Test
