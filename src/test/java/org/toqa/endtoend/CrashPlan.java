@@ -22,6 +22,7 @@ record CrashPlan(int seed, List<Work> first, Work imported, List<Step> steps) {
           Kind.PAUSE,
           Kind.CANCEL,
           Kind.FLOOR_HOLD,
+          Kind.PUBLICATION,
           Kind.IMPOSSIBLE_DELIVERY);
 
   private static final List<Kind> DURING =

@@ -42,11 +42,13 @@ final class CrashRun {
   private final CrashPlan plan;
   private final WorkLedger ledger = new WorkLedger(LINES_OF_IMPORT);
   private final Map<String, Long> counts = new HashMap<>();
+  private final PublishedMaps maps;
   private int named;
 
   CrashRun(CrashTestbed site, CrashPlan plan) {
     this.site = site;
     this.plan = plan;
+    this.maps = new PublishedMaps(site, 200 + 10L * (plan.seed() % 200));
   }
 
   /** What the server did, not merely was asked for, by the plural of its kind. */
@@ -65,7 +67,13 @@ final class CrashRun {
     String table = plan.prefix() + "imported.";
     CompletableFuture<Reply> imported = null;
     for (CrashPlan.Step step : plan.steps()) {
-      Optional<ActiveHold> hold = begin(step.before());
+      CompletableFuture<Reply> published = null;
+      Optional<ActiveHold> hold = Optional.empty();
+      if (step.before().kind() == Work.Kind.PUBLICATION) {
+        published = maps.publish();
+      } else {
+        hold = begin(step.before());
+      }
       TimeUnit.MILLISECONDS.sleep(step.fault().delayMillis());
       if (imported == null) {
         imported =
@@ -81,6 +89,10 @@ final class CrashRun {
       } finally {
         step.fault().clear(site);
       }
+      if (published != null) {
+        maps.add(answer(published, false));
+        count(Work.Kind.PUBLICATION);
+      }
       if (hold.isPresent()) {
         hold.get().check();
         hold.get().resume();
@@ -95,6 +107,7 @@ final class CrashRun {
     cancelMostOf(table);
     awaitEnds();
     ledger.judge(kept(), scheduledTasks());
+    maps.judge();
     site.truth().endRun();
   }
 
@@ -206,8 +219,13 @@ final class CrashRun {
   }
 
   private static Answer answer(CompletableFuture<Reply> table) throws Exception {
+    return answer(table, true);
+  }
+
+  private static Answer answer(CompletableFuture<Reply> reply, boolean isWithdrawn)
+      throws Exception {
     try {
-      return answer(table.get(TIMEOUT.toSeconds(), TimeUnit.SECONDS), true);
+      return answer(reply.get(TIMEOUT.toSeconds(), TimeUnit.SECONDS), isWithdrawn);
     } catch (ExecutionException e) { // the server died
       return Answer.UNKNOWN;
     }

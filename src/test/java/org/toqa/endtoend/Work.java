@@ -28,7 +28,8 @@ record Work(Kind kind, String start, String goal, int number) {
     TASK_HOLD("holds of tasks"),
     ROBOT_HOLD("holds of robots"),
     FLOOR_HOLD("holds of the floor"),
-    PAUSE("pauses");
+    PAUSE("pauses"),
+    PUBLICATION("published maps");
 
     private final String plural;
 

@@ -84,6 +84,14 @@ public final class ApiClient implements AutoCloseable {
     return Reply.of(answer(request(path).DELETE()));
   }
 
+  /** The answer comes later, or fails with the connection. */
+  public CompletableFuture<Reply> replyLater(String path, Object body) {
+    return http.sendAsync(
+            request(path).POST(body(body)).timeout(LIMIT).build(),
+            HttpResponse.BodyHandlers.ofString())
+        .thenApply(Reply::of);
+  }
+
   /** Sends a table of tasks; the answer comes later, or fails with the connection. */
   public CompletableFuture<Reply> replyToTable(String path, String table, String key) {
     return http.sendAsync(tableRequest(path, table, key), HttpResponse.BodyHandlers.ofString())

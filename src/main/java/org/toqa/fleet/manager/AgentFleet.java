@@ -340,7 +340,8 @@ public final class AgentFleet implements Fleet, AutoCloseable {
 
   @Override
   public CompletionStage<Answer<TaskView>> submit(TaskOrder order, String user, UUID key) {
-    return askResolved(order.floor(), order.start(), order.goal(), floor -> floor.submit(order, user, key));
+    return askResolved(
+        order.floor(), order.start(), order.goal(), floor -> floor.submit(order, user, key));
   }
 
   @Override
@@ -363,7 +364,8 @@ public final class AgentFleet implements Fleet, AutoCloseable {
 
   @Override
   public CompletionStage<Answer<TaskPreview>> preview(TaskOrder order, String user) {
-    return askResolved(order.floor(), order.start(), order.goal(), floor -> floor.preview(order, user));
+    return askResolved(
+        order.floor(), order.start(), order.goal(), floor -> floor.preview(order, user));
   }
 
   @Override
@@ -476,7 +478,19 @@ public final class AgentFleet implements Fleet, AutoCloseable {
   @Override
   public CompletionStage<Answer<TaskView>> editTask(
       long task, TaskOrder order, @Nullable TransportTask seen, String user) {
-    return askFloorOfTask(task, floor -> floor.editTask(task, order, seen, user));
+    String named = order.floor();
+    if (named != null && floors.find(named).isEmpty()) {
+      return CompletableFuture.completedFuture(
+          new Answer.Rejected<>("floor", floors.noSuchFloor(named)));
+    }
+    return askFloorOfTask(
+        task,
+        floor ->
+            named == null || floor.floor().name().equals(named)
+                ? floor.editTask(task, order, seen, user)
+                : CompletableFuture.completedFuture(
+                    new Answer.Rejected<>(
+                        "floor", Phrase.TASK_STAYS_ON_FLOOR.with(floor.floor().name()))));
   }
 
   @Override

@@ -17,6 +17,7 @@ import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 import org.toqa.geometry.Vec2;
 import org.toqa.grid.Cell;
+import org.toqa.grid.MoveRules;
 import org.toqa.grid.OccupancyGrid;
 import org.toqa.traffic.Deadline;
 import org.toqa.traffic.DistanceTables;
@@ -232,6 +233,7 @@ final class GoalAssignment {
       int vertex = roads.vertex(cell);
       if (vertex != RoadGraph.NONE
           && roads.canReach(start, vertex)
+          && isInDirection(lanes.lattice().centre(cell), end(goal))
           && occupied.isFree(robot.standingArea(), lastLeg(cell, robot, goal))) {
         Vec2 from = lanes.lattice().centre(cell);
         double kept = freeSpace.keptMargin(from, end(goal), robot.radius());
@@ -242,6 +244,11 @@ final class GoalAssignment {
       }
     }
     return best;
+  }
+
+  /** Else it would come round to the goal for ever, which lies behind where its path ends. */
+  private boolean isInDirection(Vec2 from, Vec2 to) {
+    return freeSpace.grid().rules().metresAgainst(from, to) <= MoveRules.SLACK;
   }
 
   /**

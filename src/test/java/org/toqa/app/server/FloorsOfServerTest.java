@@ -112,7 +112,8 @@ class FloorsOfServerTest {
     Map<Setting, @Nullable String> options = new EnumMap<>(Setting.class);
     options.put(Setting.PORT, "0");
     options.put(Setting.DATA, folder.toString());
-    options.put(Setting.MAP, MAPS.resolve("lab.yaml") + File.pathSeparator + MAPS.resolve("offices.yaml"));
+    options.put(
+        Setting.MAP, MAPS.resolve("lab.yaml") + File.pathSeparator + MAPS.resolve("offices.yaml"));
     options.put(Setting.SIMULATE, "1,1");
     options.put(Setting.SPEED, "40");
     options.put(Setting.MANAGER, "Max:" + WebTestServer.PASSWORD_HASH);
@@ -153,9 +154,7 @@ class FloorsOfServerTest {
         snapshot ->
             StreamSupport.stream(snapshot.get("tasks").spliterator(), false)
                 .anyMatch(
-                    t ->
-                        t.get("id").asLong() == task
-                            && t.get("state").asString().equals(state)));
+                    t -> t.get("id").asLong() == task && t.get("state").asString().equals(state)));
   }
 
   private static String robotOf(ApiClient api, long task) throws Exception {
