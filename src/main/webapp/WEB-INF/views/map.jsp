@@ -98,6 +98,7 @@
       <section id="floors" data-live="floors">
         <c:forEach items="${floorViews}" var="view">
           <c:if test="${not empty view.hold or caller.isManager()}">
+            <div data-floor="<c:out value="${view.name}"/>">
             <h2><fmt:message key="map.floorNamed"><fmt:param><bdi><c:out value="${view.name}"/></bdi></fmt:param></fmt:message></h2>
             <c:if test="${not empty view.hold}">
               <p class="notice warn"><fmt:message key="floor.held"><fmt:param><bdi><c:out value="${view.hold.user}"/></bdi></fmt:param></fmt:message>${" "}<t:time at="${view.hold.since}"/></p>
@@ -123,6 +124,7 @@
                 </form>
               </details>
             </c:if>
+            </div>
           </c:if>
         </c:forEach>
       </section>

@@ -8,6 +8,7 @@ import {updateLiveRegions} from '../shared/live-regions.js';
 import {updateAttentionList} from './attention-list.js';
 import {ConnectionStatus} from './connection-status.js';
 import {FleetState} from './fleet-state.js';
+import {FloorActions} from './floor-actions.js';
 import {Following} from './following.js';
 import {drawAges, drawBlockedCells, drawStandstills} from './hazards.js';
 import {updateLiveLists} from './live-lists.js';
@@ -38,6 +39,7 @@ class MapPage {
   #following = new Following($('#following'), this.#canvas, this.#state, (name) => this.#poseOf(name, performance.now()));
 
   #measuring = new Measuring($('#measuring'), $('#measure'), this.#canvas);
+  #actions = new FloorActions($('#live-lists'));
   #zones = new Switch($('#zones'), this.#canvas);
   #margins = new Switch($('#margins'), this.#canvas);
 
@@ -228,6 +230,7 @@ class MapPage {
     try {
       this.#floor = await Floor.load(name);
       this.#shownAt = undefined;
+      this.#actions.show(this.#floor.name);
       this.#measuring.close();
       this.#canvas.viewport.setBounds(this.#floor.bounds);
       this.#canvas.requestFrame();

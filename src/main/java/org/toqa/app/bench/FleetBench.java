@@ -1,9 +1,13 @@
 package org.toqa.app.bench;
 
+import java.io.File;
+import java.io.IOException;
 import java.net.URI;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Collections;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -19,11 +23,16 @@ import org.toqa.app.command.OptionalMapOption;
 import org.toqa.app.command.SeedOption;
 import org.toqa.app.command.SpeedOption;
 import org.toqa.app.command.StopSignal;
+import org.toqa.app.command.TemporaryFolder;
 import org.toqa.app.config.Setting;
 import org.toqa.app.server.FleetServer;
 import org.toqa.app.server.FleetServer.BodyObservation;
 import org.toqa.app.server.ServerOperation;
+import org.toqa.app.server.WebappFolder;
 import org.toqa.fleet.FleetSnapshot;
+import org.toqa.grid.FloorDrawing;
+import org.toqa.grid.FloorMap;
+import org.toqa.grid.FloorWriter;
 import org.toqa.sim.ClearanceJudge;
 import org.toqa.sim.ClearanceJudge.Clearance;
 import org.toqa.traffic.RoadGraph;
@@ -61,8 +70,17 @@ final class FleetBench implements Callable<Integer> {
       names = "--robots",
       required = true,
       paramLabel = "N",
-      description = "Number of robots, 2 to 500.")
+      description = "Number of robots, 2 to 500; with --floors on each floor.")
   private int robots;
+
+  @Option(
+      names = "--floors",
+      defaultValue = "1",
+      paramLabel = "N",
+      description =
+          "Number of floors that look alike, 1 to 100 (default: ${DEFAULT-VALUE}). What is true of"
+              + " bodies is looked for on all of them, and printed of the first.")
+  private int floors;
 
   @Mixin private MeasuringTime time = new MeasuringTime();
 
@@ -92,13 +110,35 @@ final class FleetBench implements Callable<Integer> {
   public Integer call() throws Exception {
     Arguments arguments = new Arguments(spec);
     arguments.requireBetween("--robots", robots, 2, 500);
+    arguments.requireBetween("--floors", floors, 1, 100);
     arguments.requireDecimalBetween("--least-pace", leastPace, 0, 100);
     time.check(arguments);
     if (tasks != null) {
       arguments.requireWritable(tasks);
     }
     ServerOperation measurement = this::measure;
-    return measurement.runIsolated(settings());
+    if (floors == 1) {
+      return measurement.runIsolated(settings());
+    }
+    try (TemporaryFolder maps = TemporaryFolder.create("toqa-floors")) {
+      Map<Setting, @Nullable String> settings = settings();
+      settings.put(Setting.MAP, copies(arguments, settings.get(Setting.MAP), maps.path()));
+      settings.put(
+          Setting.SIMULATE, String.join(",", Collections.nCopies(floors, String.valueOf(robots))));
+      return measurement.runIsolated(settings);
+    }
+  }
+
+  /** As many maps as there are floors, as the configuration names them. */
+  private String copies(Arguments arguments, @Nullable String map, Path folder) throws IOException {
+    Path file = map == null ? WebappFolder.shippedMap() : Path.of(map);
+    FloorDrawing drawing = arguments.readFloor(file).drawing();
+    List<String> files = new ArrayList<>();
+    for (int i = 1; i <= floors; i++) {
+      FloorWriter.mapServerFiles("floor" + i, drawing).writeTo(folder);
+      files.add(folder.resolve("floor" + i + ".yaml").toString());
+    }
+    return String.join(File.pathSeparator, files);
   }
 
   private int measure(FleetServer toqa, URI address, StopSignal stop) throws Exception {
@@ -108,28 +148,30 @@ final class FleetBench implements Callable<Integer> {
     FleetMeter meter = new FleetMeter(toqa.fleetClock(), truth);
     GoalRecorder goals = new GoalRecorder(new RoadGraph(toqa.fleet().floors().getFirst().grid()));
     Consumer<FleetSnapshot> watcher = meter::observe;
-    String floor = toqa.fleet().floors().getFirst().name();
-    try (BodyObservation _ = toqa.observeBodies(floor, truth::judge)) {
-      load.run(time.seconds(), stop, tasks == null ? watcher : watcher.andThen(goals::observe));
+    Map<String, ClearanceJudge> judges = new LinkedHashMap<>();
+    List<BodyObservation> observations = new ArrayList<>();
+    for (FloorMap floor : toqa.fleet().floors()) {
+      ClearanceJudge judge = judges.isEmpty() ? truth : new ClearanceJudge(floor.grid());
+      judges.put(floor.name(), judge);
+      observations.add(toqa.observeBodies(floor.name(), judge::judge));
     }
+    load.run(time.seconds(), stop, tasks == null ? watcher : watcher.andThen(goals::observe));
+    observations.forEach(BodyObservation::close);
     Report report = meter.report();
     if (tasks != null) {
       Files.write(tasks, goals.goals().stream().map(RobotGoals::line).toList());
     }
     new BenchOutput(spec).printReport(report);
-    List<String> failures = failures(report, truth, leastPace);
+    List<String> failures = new ArrayList<>(failures(report, truth, leastPace));
+    judges.remove(toqa.fleet().floors().getFirst().name());
+    judges.forEach((floor, judge) -> failures.addAll(touches(judge, "on " + floor)));
     failures.forEach(new CommandOutput(spec)::printError);
     return failures.isEmpty() ? ExitCode.OK : ExitCode.SOFTWARE;
   }
 
   /** What is not as it must be, in sentences. */
   static List<String> failures(Report report, ClearanceJudge truth, double leastPace) {
-    List<String> failures = new ArrayList<>();
-    Stream.of(truth.betweenBodies(), truth.toWall())
-        .flatMap(Optional::stream)
-        .filter(Clearance::isTouch)
-        .map(touch -> "in truth, " + touch)
-        .forEach(failures::add);
+    List<String> failures = new ArrayList<>(touches(truth, "in truth"));
     if (truth.betweenBodies().isEmpty()) {
       failures.add("nothing was seen of where two robots really were");
     }
@@ -137,6 +179,14 @@ final class FleetBench implements Callable<Integer> {
       failures.add("the pace " + report.pace() + " is below " + leastPace);
     }
     return failures;
+  }
+
+  private static List<String> touches(ClearanceJudge truth, String where) {
+    return Stream.of(truth.betweenBodies(), truth.toWall())
+        .flatMap(Optional::stream)
+        .filter(Clearance::isTouch)
+        .map(touch -> where + ", " + touch)
+        .toList();
   }
 
   private Map<Setting, @Nullable String> settings() {

@@ -1,7 +1,11 @@
 package org.toqa.app.bench;
 
+import static java.util.Objects.requireNonNull;
+
 import java.time.Duration;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Random;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.TimeUnit;
@@ -19,7 +23,7 @@ import org.toqa.fleet.TaskView;
 import org.toqa.grid.Place;
 import org.toqa.mission.TaskState;
 
-/** Random tasks all over a fleet's first floor, always more than it has robots. */
+/** Random tasks all over a fleet's floors, on each always more than it has robots. */
 final class TaskLoadGenerator {
   private static final double TASKS_PER_ROBOT = 1.5;
   private static final double LOAD_KG = 2;
@@ -30,11 +34,18 @@ final class TaskLoadGenerator {
   private static final Duration POLL_PERIOD = Duration.ofMillis(250);
 
   private final Fleet fleet;
-  private final List<Place> places;
+
+  /** By floor. */
+  private final Map<String, List<Place>> places;
+
   private final int openTasks;
   private final Random random;
 
-  private TaskLoadGenerator(Fleet fleet, List<Place> places, int openTasks, Random random) {
+  /**
+   * @param openTasks on each floor
+   */
+  private TaskLoadGenerator(
+      Fleet fleet, Map<String, List<Place>> places, int openTasks, Random random) {
     this.fleet = fleet;
     this.places = places;
     this.openTasks = openTasks;
@@ -42,11 +53,12 @@ final class TaskLoadGenerator {
   }
 
   /**
-   * @param robots of the fleet
+   * @param robots of each floor
    * @param seed of where the tasks begin and end
    */
   static TaskLoadGenerator on(Fleet fleet, int robots, long seed) {
-    List<Place> places = FreeCells.of(fleet.floors().getFirst()).toList();
+    Map<String, List<Place>> places = new LinkedHashMap<>();
+    fleet.floors().forEach(floor -> places.put(floor.name(), FreeCells.of(floor).toList()));
     return new TaskLoadGenerator(
         fleet, places, (int) Math.ceil(TASKS_PER_ROBOT * robots), new Random(seed));
   }
@@ -77,18 +89,20 @@ final class TaskLoadGenerator {
       if (snapshot.version() > version) {
         version = snapshot.version();
         watcher.accept(snapshot);
-        submitMissing(snapshot);
+        for (String floor : places.keySet()) {
+          submitMissing(floor, fleet.snapshots(floor).orElseThrow().latest());
+        }
       }
     }
   }
 
   /** Orders what is missing. Where there is no path, the fleet rejects it; there will be others. */
-  private void submitMissing(FleetSnapshot snapshot) throws Exception {
+  private void submitMissing(String floor, FleetSnapshot snapshot) throws Exception {
     long missing = openTasks - openTasks(snapshot);
     while (missing > 0) {
       long together = Math.min(missing, MOST_AT_ONCE);
       List<CompletableFuture<Answer<TaskView>>> answers =
-          LongStream.range(0, together).mapToObj(_ -> submitOne()).toList();
+          LongStream.range(0, together).mapToObj(_ -> submitOne(floor)).toList();
       for (CompletableFuture<Answer<TaskView>> answer : answers) {
         answer.get(30, TimeUnit.SECONDS);
       }
@@ -104,13 +118,15 @@ final class TaskLoadGenerator {
             .count();
   }
 
-  private CompletableFuture<Answer<TaskView>> submitOne() {
+  private CompletableFuture<Answer<TaskView>> submitOne(String floor) {
     TaskOrder order =
-        new TaskOrder("Load", LOAD_KG, randomPlace(), randomPlace(), null, 0, null, null);
+        new TaskOrder(
+            "Load", LOAD_KG, randomPlace(floor), randomPlace(floor), floor, 0, null, null);
     return fleet.submit(order, "bench").toCompletableFuture();
   }
 
-  private Where randomPlace() {
-    return new Where.Point(places.get(random.nextInt(places.size())).position());
+  private Where randomPlace(String floor) {
+    List<Place> there = requireNonNull(places.get(floor));
+    return new Where.Point(there.get(random.nextInt(there.size())).position());
   }
 }

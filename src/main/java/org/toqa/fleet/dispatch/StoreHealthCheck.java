@@ -33,7 +33,7 @@ public final class StoreHealthCheck implements AutoCloseable {
   }
 
   /** Whether it did when it was asked last; at first it is taken to. */
-  boolean isAvailable() {
+  public boolean isAvailable() {
     return isAvailable;
   }
 

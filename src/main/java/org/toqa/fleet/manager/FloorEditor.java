@@ -9,11 +9,13 @@ import java.util.concurrent.CompletionStage;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.BiFunction;
 import java.util.function.Consumer;
 import java.util.function.Function;
 import java.util.function.Supplier;
 import java.util.stream.Stream;
+import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 import org.toqa.fleet.Answer;
@@ -88,8 +90,12 @@ final class FloorEditor implements FloorEditing, AutoCloseable {
         Executors.newSingleThreadExecutor(Thread.ofPlatform().daemon().name("floors").factory());
   }
 
+  /** Where the store does not answer nothing is begun, so that no floor waits for it. */
   private <T> CompletionStage<T> inTurn(Supplier<T> change) {
-    return CompletableFuture.supplyAsync(change, changes);
+    return shared.storeHealth().isAvailable()
+        ? CompletableFuture.supplyAsync(change, changes)
+        : CompletableFuture.failedFuture(
+            new StoreException("The database does not answer, so nothing was changed.", null));
   }
 
   private FloorStore.Change change(EventKind kind, String user, Sentence text, String floor) {
@@ -141,20 +147,25 @@ final class FloorEditor implements FloorEditing, AutoCloseable {
 
   private Answer<String> remove(FloorEntry entry, String user) {
     String name = entry.name();
-    Optional<Sentence> objection = objectionToRemoval(entry);
-    if (objection.isPresent()) {
-      return new Answer.Conflict<>(objection.get(), null);
-    }
-    floors.remove(entry); // from now on nobody finds it
-    try {
-      store.removeFloor(
-          name, change(EventKind.FLOOR_REMOVED, user, Phrase.FLOOR_REMOVED.with(user, name), name));
-    } catch (StoreException e) {
-      floors.add(entry);
-      throw e;
-    }
-    entry.close();
-    return new Answer.Accepted<>(name);
+    AtomicReference<@Nullable Sentence> objection = new AtomicReference<>();
+    boolean isRemoved =
+        entry.end(
+            () -> {
+              objection.set(objectionToRemoval(entry).orElse(null));
+              if (objection.get() != null) {
+                return false;
+              }
+              store.removeFloor(
+                  name,
+                  change(
+                      EventKind.FLOOR_REMOVED, user, Phrase.FLOOR_REMOVED.with(user, name), name));
+              floors.remove(entry); // from now on nobody finds it
+              return true;
+            });
+    Sentence why = objection.get();
+    return isRemoved || why == null
+        ? new Answer.Accepted<>(name)
+        : new Answer.Conflict<>(why, null);
   }
 
   private Optional<Sentence> objectionToRemoval(FloorEntry entry) {
@@ -324,15 +335,10 @@ final class FloorEditor implements FloorEditing, AutoCloseable {
           map -> restarter.apply(entry, map));
     } catch (StoreException e) {
       CompletableFuture.delayedExecutor(RETRY.toMillis(), TimeUnit.MILLISECONDS)
-          .execute(() -> inTurn(() -> reconciled(entry)));
+          .execute(() -> changes.execute(() -> reconcile(entry)));
     } catch (IllegalStateException e) {
       log.error("{}", e.getMessage(), e);
     }
-  }
-
-  private boolean reconciled(FloorEntry entry) {
-    reconcile(entry);
-    return true;
   }
 
   @Override

@@ -7,6 +7,7 @@ import java.util.concurrent.CompletionStage;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
+import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
 import java.util.function.Function;
 import java.util.function.Supplier;
@@ -163,11 +164,8 @@ final class FloorEntry {
     try {
       next = decision.get();
     } finally {
-      FloorFleet running = agents;
-      if (next.isEmpty() && running != null) {
-        begun.asked.complete(running);
-      } else if (next.isEmpty()) {
-        begun.asked.completeExceptionally(ending.asked.exceptionNow());
+      if (next.isEmpty()) {
+        goOn(begun, ending);
       }
     }
     next.ifPresent(
@@ -178,12 +176,42 @@ final class FloorEntry {
         });
   }
 
+  /** The same agents are asked in the next term as before. */
+  private void goOn(Term next, Term before) {
+    FloorFleet running = agents;
+    if (running == null) {
+      next.asked.completeExceptionally(before.asked.exceptionNow());
+    } else {
+      next.asked.complete(running);
+    }
+  }
+
+  /**
+   * Decides, while nothing is asked of its agents, whether it ends for good.
+   *
+   * @return whether it has
+   */
+  boolean end(BooleanSupplier decision) {
+    Term gone = new Term();
+    Term ending = beginEnding(gone);
+    boolean ends = false;
+    try {
+      ends = decision.getAsBoolean();
+    } finally {
+      if (!ends) {
+        goOn(gone, ending);
+      }
+    }
+    if (ends) {
+      gone.asked.completeExceptionally(new IllegalStateException("The floor is gone."));
+      endAgents();
+    }
+    return ends;
+  }
+
   /** Ends its agents for good, once what was asked is answered. */
   void close() {
-    Term nobody = new Term();
-    nobody.asked.completeExceptionally(new IllegalStateException("The floor is gone."));
-    var _ = beginEnding(nobody);
-    endAgents();
+    var _ = end(() -> true);
   }
 
   /** From now on the other term is asked; waits until all that was asked before is answered. */
