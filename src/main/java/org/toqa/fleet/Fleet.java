@@ -186,6 +186,11 @@ public interface Fleet {
   /** The same of one floor alone; empty: there is no such floor. */
   Optional<SnapshotFeed> snapshots(String floor);
 
+  /** Why that floor cannot go on by itself; empty while it can. Any thread may ask. */
+  default List<Sentence> failures(String floor) {
+    return List.of();
+  }
+
   /** Why the fleet cannot go on by itself; empty while it can. Any thread may ask. */
   List<Sentence> failures();
 }

@@ -1,9 +1,14 @@
 package org.toqa.web;
 
+import java.util.Collections;
 import java.util.List;
 import java.util.Optional;
+import org.toqa.fleet.Fleet;
 import org.toqa.fleet.FleetSnapshot;
+import org.toqa.fleet.SnapshotFeed;
+import org.toqa.fleet.TaskView;
 import org.toqa.grid.FloorMap;
+import org.toqa.mission.TaskState;
 
 /**
  * A floor as lists show it.
@@ -26,26 +31,41 @@ public record FloorSummary(String name, String site, State state, int robots, in
 
   /** All floors, the first one the default. */
   public static List<FloorSummary> all(Services services) {
-    FleetSnapshot now = services.fleet().snapshots().latest();
-    return services.fleet().floors().stream().map(floor -> of(floor, now)).toList();
+    Fleet fleet = services.fleet();
+    return fleet.floors().stream().map(floor -> of(floor, fleet)).toList();
   }
 
   public static Optional<FloorSummary> of(Services services, String name) {
     return all(services).stream().filter(floor -> floor.name().equals(name)).findFirst();
   }
 
-  public static FloorSummary of(FloorMap floor, FleetSnapshot now) {
+  public static FloorSummary of(FloorMap floor, Fleet fleet) {
     String name = floor.name();
-    boolean isHeld =
-        now.floors().stream().anyMatch(view -> view.name().equals(name) && view.hold() != null);
+    Optional<FleetSnapshot> now = fleet.snapshots(name).map(SnapshotFeed::latest);
     return new FloorSummary(
         name,
         FIRST_SITE,
-        isHeld ? State.HELD : State.READY,
-        (int) now.robots().stream().filter(robot -> robot.floor().equals(name)).count(),
-        (int)
-            now.tasks().stream()
-                .filter(task -> task.task().floor().equals(name) && !task.state().isEnded())
-                .count());
+        state(name, now, fleet),
+        now.map(snapshot -> snapshot.robots().size()).orElse(0),
+        now.map(FloorSummary::openTasks).orElse(0));
+  }
+
+  private static State state(String name, Optional<FleetSnapshot> now, Fleet fleet) {
+    if (!fleet.failures(name).isEmpty()) {
+      return State.FAILED;
+    }
+    boolean isHeld =
+        now.stream()
+            .flatMap(snapshot -> snapshot.floors().stream())
+            .anyMatch(view -> view.hold() != null);
+    return isHeld ? State.HELD : State.READY;
+  }
+
+  /** Also those of the queue that the snapshot does not have. */
+  private static int openTasks(FleetSnapshot snapshot) {
+    List<TaskState> open =
+        snapshot.tasks().stream().map(TaskView::state).filter(state -> !state.isEnded()).toList();
+    int queued = Collections.frequency(open, TaskState.QUEUED);
+    return open.size() - queued + Math.max(queued, snapshot.queuedCount());
   }
 }

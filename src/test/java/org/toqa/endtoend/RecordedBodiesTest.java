@@ -68,7 +68,7 @@ class RecordedBodiesTest {
       lines.append(
           String.format(
               Locale.ROOT,
-              "{\"seconds\":%.2f,\"bodies\":["
+              "{\"seconds\":%.2f,\"floor\":\"lab\",\"bodies\":["
                   + "{\"name\":\"r1\",\"core\":[{\"x\":3.0,\"y\":%2$s}],"
                   + "\"radius\":0.1275,\"carriers\":[]},"
                   + "{\"name\":\"r2\",\"core\":[{\"x\":%3$s,\"y\":%2$s}],"

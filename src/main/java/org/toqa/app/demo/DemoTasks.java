@@ -204,6 +204,7 @@ final class DemoTasks {
     for (Progress run : progressByTask.values()) {
       Map<String, Object> task = new LinkedHashMap<>();
       task.put("name", run.task.task().name());
+      task.put("floor", run.task.task().floor());
       task.put("state", run.task.state().name());
       task.put("robots", run.task.robots());
       task.put("seconds", run.seconds);

@@ -566,6 +566,11 @@ public final class AgentFleet implements Fleet, AutoCloseable {
   }
 
   @Override
+  public List<Sentence> failures(String floor) {
+    return floors.find(floor).map(FloorEntry::failures).orElse(List.of());
+  }
+
+  @Override
   public List<Sentence> failures() {
     return monitor.failures();
   }

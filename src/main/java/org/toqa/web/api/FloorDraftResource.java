@@ -128,7 +128,7 @@ public final class FloorDraftResource extends ApiHandler {
         request,
         response,
         200,
-        FloorSummary.of(published, services(request).fleet().snapshots().latest()));
+        FloorSummary.of(published, services(request).fleet()));
   }
 
   /** Why the draft cannot be published. */

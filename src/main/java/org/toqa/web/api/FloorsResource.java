@@ -37,7 +37,7 @@ public final class FloorsResource extends ApiHandler {
         request,
         response,
         HttpServletResponse.SC_CREATED,
-        FloorSummary.of(added, services(request).fleet().snapshots().latest()));
+        FloorSummary.of(added, services(request).fleet()));
   }
 
   private static FloorOrder readOrder(JsonFields fields) {

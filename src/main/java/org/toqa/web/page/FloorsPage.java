@@ -13,7 +13,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import org.toqa.fleet.Answer;
-import org.toqa.fleet.FleetSnapshot;
+import org.toqa.fleet.Fleet;
 import org.toqa.grid.FloorMap;
 import org.toqa.grid.MapFormatException;
 import org.toqa.grid.MapLimits;
@@ -39,10 +39,10 @@ public final class FloorsPage extends PageHandler {
    * @param height metres
    */
   public record Entry(FloorSummary summary, double width, double height) {
-    static Entry of(FloorMap floor, FleetSnapshot now) {
+    static Entry of(FloorMap floor, Fleet fleet) {
       double resolution = floor.grid().resolution();
       return new Entry(
-          FloorSummary.of(floor, now),
+          FloorSummary.of(floor, fleet),
           floor.grid().width() * resolution,
           floor.grid().height() * resolution);
     }
@@ -65,10 +65,9 @@ public final class FloorsPage extends PageHandler {
   }
 
   private static void addEntries(HttpServletRequest request) {
-    FleetSnapshot now = services(request).fleet().snapshots().latest();
+    Fleet fleet = services(request).fleet();
     request.setAttribute(
-        "entries",
-        services(request).fleet().floors().stream().map(floor -> Entry.of(floor, now)).toList());
+        "entries", fleet.floors().stream().map(floor -> Entry.of(floor, fleet)).toList());
   }
 
   public static void add(HttpServletRequest request, HttpServletResponse response)
