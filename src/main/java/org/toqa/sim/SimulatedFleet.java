@@ -195,7 +195,7 @@ public final class SimulatedFleet implements AutoCloseable {
     if (firmware == null) {
       return new ChassisConfig.Simulated(
           robot.start(),
-          new SimulatedBattery(robot.battery(), floor::chargers),
+          new SimulatedBattery(robot.battery(), floor.chargers()),
           SLIP,
           robot.name().hashCode(),
           1,

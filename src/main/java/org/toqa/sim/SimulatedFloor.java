@@ -1,5 +1,6 @@
 package org.toqa.sim;
 
+import java.util.AbstractList;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -72,9 +73,19 @@ public final class SimulatedFloor {
     return name;
   }
 
-  /** Where robots that are stopped are charged, metres, map frame. */
+  /** Where robots that are stopped are charged, at any time, metres, map frame. */
   List<Vec2> chargers() {
-    return chargers;
+    return new AbstractList<>() {
+      @Override
+      public Vec2 get(int index) {
+        return chargers.get(index);
+      }
+
+      @Override
+      public int size() {
+        return chargers.size();
+      }
+    };
   }
 
   /**

@@ -90,7 +90,9 @@ final class CrashRun {
         step.fault().clear(site);
       }
       if (published != null) {
-        maps.add(answer(published, false));
+        Answer told = answer(published, false);
+        assertFalse(told == Answer.REFUSED, "a good map was refused");
+        maps.add(told);
         count(Work.Kind.PUBLICATION);
       }
       if (hold.isPresent()) {

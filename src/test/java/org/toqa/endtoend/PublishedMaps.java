@@ -47,8 +47,9 @@ final class PublishedMaps {
     JsonNode draft = site.server.await(FLOOR + "/draft", found -> true);
     ObjectNode drawing = (ObjectNode) draft.get("drawing").deepCopy();
     if (rest == null) {
-      rest = withoutSpeed(drawing);
-      possible.add(speed(drawing));
+      JsonNode inForce = site.server.await(FLOOR, found -> true).get("drawing");
+      rest = withoutSpeed(inForce);
+      possible.add(speed(inForce));
     }
     next++;
     ArrayNode limits = drawing.putArray("speedLimits");

@@ -87,7 +87,11 @@ public final class ApiClient implements AutoCloseable {
   /** The answer comes later, or fails with the connection. */
   public CompletableFuture<Reply> replyLater(String path, Object body) {
     return http.sendAsync(
-            request(path).POST(body(body)).timeout(LIMIT).build(),
+            request(path)
+                .header("Content-Type", "application/json")
+                .POST(body(body))
+                .timeout(LIMIT)
+                .build(),
             HttpResponse.BodyHandlers.ofString())
         .thenApply(Reply::of);
   }

@@ -131,12 +131,6 @@ final class FormCases {
             .answeredWith(422),
         FormCase.of(
                 "robots/Absent",
-                "/robots/{name}/move",
-                Map.of("floor", "{floor}", "x", "1", "y", "1", "heading", "0"),
-                refused("floor", "x", "y", "heading"))
-            .answeredWith(422),
-        FormCase.of(
-                "robots/Absent",
                 "/robots/{name}/locate",
                 Map.of("x", "1", "y", "1", "heading", "0"),
                 refused("x", "y", "heading"))

@@ -1,7 +1,6 @@
 package org.toqa.agent.chassis;
 
 import java.util.List;
-import java.util.function.Supplier;
 import org.toqa.geometry.Pose;
 import org.toqa.geometry.Vec2;
 
@@ -10,9 +9,10 @@ import org.toqa.geometry.Vec2;
  * body is at a charging point.
  *
  * @param initialLevel what the battery of a new body has, 0 to 1
- * @param chargers the charging points that there are now, metres, map frame; asked at every step
+ * @param chargers charging points, metres, map frame; looked at in every step, for others may take
+ *     their place
  */
-public record SimulatedBattery(double initialLevel, Supplier<List<Vec2>> chargers) {
+public record SimulatedBattery(double initialLevel, List<Vec2> chargers) {
 
   /** A new body begins with a full battery, and there is nowhere to charge it. */
   public static final SimulatedBattery FULL = new SimulatedBattery(1, List.of());
@@ -31,15 +31,10 @@ public record SimulatedBattery(double initialLevel, Supplier<List<Vec2>> charger
   /** Metres; a body that is stopped so near to a charging point has docked. */
   private static final double DOCKED_METRES = 0.15;
 
-  /** With charging points that stay. */
-  public SimulatedBattery(double initialLevel, List<Vec2> chargers) {
-    this(initialLevel, () -> chargers);
-  }
-
   /** Whether a body that is stopped there is charged. */
   boolean isDocked(Pose place) {
     Vec2 here = place.position();
-    for (Vec2 point : chargers.get()) { // at every step of every body that stands
+    for (Vec2 point : chargers) { // at every step of every body that stands
       if (point.distanceTo(here) < DOCKED_METRES) {
         return true;
       }
