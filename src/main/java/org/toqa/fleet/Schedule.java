@@ -1,8 +1,11 @@
 package org.toqa.fleet;
 
 import java.time.Instant;
+import java.util.List;
+import java.util.Objects;
 import java.util.Optional;
 import org.jspecify.annotations.Nullable;
+import org.toqa.grid.FloorMap;
 
 /**
  * A task that is to be put in by itself, once or again and again.
@@ -39,13 +42,14 @@ public record Schedule(
   }
 
   /**
-   * The floor where its tasks are.
+   * The floor where its tasks are, or would be if there were one of that name.
    *
-   * @param first that of orders which name none
+   * @param floors those that there are, at least one
    */
-  public String floor(String first) {
-    String named = order.floor();
-    return named == null ? first : named;
+  public String floor(List<FloorMap> floors) {
+    return FloorChoice.among(floors, order.floor(), order.start(), order.goal())
+        .map(FloorMap::name)
+        .orElseGet(() -> Objects.requireNonNull(order.floor()));
   }
 
   private Schedule withDue(@Nullable Instant moment) {

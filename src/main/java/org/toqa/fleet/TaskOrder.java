@@ -14,7 +14,7 @@ import org.toqa.mission.TransportTask.LoadSize;
  * floor and the robots; the web has checked only its shape.
  *
  * @param load kilograms
- * @param floor null: the only floor, or the first
+ * @param floor null: the one of {@link FloorChoice}
  */
 public record TaskOrder(
     String name,

@@ -200,7 +200,6 @@ final class DispatchAgent extends AbstractBehavior<DispatchMessage> {
       case DispatchMessage.OrderChecked m -> taskCommands.orderChecked(m);
       case DispatchMessage.SubmitTasks m -> taskCommands.submitTasks(m);
       case DispatchMessage.OrdersChecked m -> taskCommands.ordersChecked(m);
-      case DispatchMessage.ValidateOrders m -> taskCommands.validateOrders(m);
       case DispatchMessage.CheckOrders m -> taskCommands.checkOrders(m);
       case DispatchMessage.TasksStored m -> taskCommands.tasksStored(m);
       case DispatchMessage.FindPath m -> taskCommands.findPath(m);

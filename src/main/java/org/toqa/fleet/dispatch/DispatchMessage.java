@@ -65,13 +65,6 @@ public sealed interface DispatchMessage {
       ActorRef<StatusReply<BatchAnswer>> replyTo)
       implements DispatchMessage {}
 
-  record ValidateOrders(
-      List<TaskOrder> orders,
-      String user,
-      OrderChecks.Check check,
-      ActorRef<StatusReply<List<BatchAnswer.Rejection>>> replyTo)
-      implements DispatchMessage {}
-
   record CheckOrders(
       List<TaskOrder> orders,
       String user,

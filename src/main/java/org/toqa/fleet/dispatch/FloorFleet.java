@@ -195,8 +195,7 @@ public final class FloorFleet implements AutoCloseable {
 
   public CompletionStage<List<BatchAnswer.Rejection>> rejections(
       List<TaskOrder> orders, String user) {
-    return dispatch.askChecked(
-        user, (check, replyTo) -> new DispatchMessage.ValidateOrders(orders, user, check, replyTo));
+    return check(orders, user).thenApply(BatchValidation.Result::rejections);
   }
 
   public CompletionStage<Answer<TaskPreview>> preview(TaskOrder order, String user) {

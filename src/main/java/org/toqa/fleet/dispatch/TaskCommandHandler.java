@@ -159,18 +159,6 @@ final class TaskCommandHandler {
     }
   }
 
-  void validateOrders(DispatchMessage.ValidateOrders m) {
-    var _ =
-        checkConcurrently(m.orders(), m.user(), m.check())
-            .whenComplete(
-                (checked, failure) ->
-                    m.replyTo()
-                        .tell(
-                            failure == null
-                                ? StatusReply.success(checked.rejections())
-                                : StatusReply.error(failure)));
-  }
-
   void checkOrders(DispatchMessage.CheckOrders m) {
     var _ =
         checkConcurrently(m.orders(), m.user(), m.check())

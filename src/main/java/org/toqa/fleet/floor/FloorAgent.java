@@ -179,7 +179,7 @@ public final class FloorAgent extends AbstractBehavior<FloorMessage> {
         try {
           tick(m.now());
         } finally { // or there would never be another tick
-          manager.tell(new FloorEvent.Ticked(state.floor.name()));
+          manager.tell(new FloorEvent.Ticked());
         }
       }
     }

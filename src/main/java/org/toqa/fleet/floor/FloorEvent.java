@@ -46,7 +46,7 @@ public sealed interface FloorEvent {
       implements FloorEvent {}
 
   /** The floor has done what its tick asked for; a report of it, if any, came before. */
-  record Ticked(String floor) implements FloorEvent {}
+  record Ticked() implements FloorEvent {}
 
   /** The floor has no such task: perhaps it is in the queue by now. */
   record TaskUnknown(

@@ -14,7 +14,6 @@ import java.util.concurrent.ExecutionException;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
 import java.util.function.Consumer;
-import java.util.function.Function;
 import java.util.function.Supplier;
 import org.apache.pekko.actor.typed.ActorSystem;
 import org.apache.pekko.actor.typed.javadsl.AskPattern;
@@ -45,7 +44,6 @@ import org.toqa.fleet.Schedules;
 import org.toqa.fleet.SnapshotFeed;
 import org.toqa.fleet.StoreWriter;
 import org.toqa.fleet.TaskOrder;
-import org.toqa.fleet.TaskOrder.Where;
 import org.toqa.fleet.TaskPreview;
 import org.toqa.fleet.TaskView;
 import org.toqa.fleet.dispatch.AgentSystemSetup;
@@ -93,7 +91,7 @@ public final class AgentFleet implements Fleet, AutoCloseable {
   private final ActorSystem<ManagerMessage> manager;
   private final FleetMonitor monitor;
   private final FloorEditor editor;
-  private final MissingFloors missingFloors;
+  private final FloorRouter router;
   private final List<Consumer<FloorMap>> mapListeners = new CopyOnWriteArrayList<>();
   private final CompletableFuture<Void> failed = new CompletableFuture<>();
   private volatile boolean isClosing;
@@ -184,7 +182,8 @@ public final class AgentFleet implements Fleet, AutoCloseable {
       throw e;
     }
     this.monitor = new FleetMonitor(floors::all, this::managerFailures, snapshots);
-    this.missingFloors = findMissingFloors();
+    this.router =
+        new FloorRouter(floors, robots, shared.openTasks(), snapshots, findMissingFloors());
   }
 
   private void startAll(List<FloorMap> maps) {
@@ -274,73 +273,9 @@ public final class AgentFleet implements Fleet, AutoCloseable {
         .orElse(Instant.MAX);
   }
 
-  private <T> CompletionStage<Answer<T>> askFloor(
-      String floor, Function<FloorFleet, CompletionStage<Answer<T>>> question) {
-    return floors
-        .find(floor)
-        .map(entry -> entry.ask(question))
-        .orElseGet(() -> CompletableFuture.completedFuture(FloorDirectory.unknown(floor)));
-  }
-
-  /** Asks the floor that an order names. */
-  private <T> CompletionStage<Answer<T>> askResolved(
-      @Nullable String floor,
-      Where start,
-      Where goal,
-      Function<FloorFleet, CompletionStage<Answer<T>>> question) {
-    return floors
-        .resolve(floor, start, goal)
-        .map(entry -> entry.ask(question))
-        .orElseGet(
-            () ->
-                CompletableFuture.completedFuture(
-                    new Answer.Rejected<>("floor", floors.noSuchFloor(floor))));
-  }
-
-  /** Asks the floor where the robot is. */
-  private <T> CompletionStage<Answer<T>> askFloorOf(
-      String robot, Function<FloorFleet, CompletionStage<Answer<T>>> question) {
-    return robots
-        .floorOf(robot)
-        .flatMap(floors::find)
-        .map(entry -> entry.ask(question))
-        .orElseGet(() -> unknownRobot(robot));
-  }
-
-  private static <T> CompletionStage<Answer<T>> unknownRobot(String robot) {
-    return CompletableFuture.completedFuture(
-        new Answer.Unknown<>(Phrase.NO_SUCH_ROBOT.with(robot)));
-  }
-
-  /** Asks the floor that has the task, or where its load lies. */
-  private CompletionStage<Answer<TaskView>> askFloorOfTask(
-      long task, Function<FloorFleet, CompletionStage<Answer<TaskView>>> question) {
-    return shared
-        .openTasks()
-        .floorOf(task)
-        .or(() -> floorWithLoadOf(task))
-        .flatMap(floors::find)
-        .map(entry -> entry.ask(question))
-        .orElseGet(
-            () ->
-                CompletableFuture.completedFuture(
-                    new Answer.Conflict<>(
-                        missingFloors
-                            .alertOfTask(task)
-                            .orElseGet(() -> Phrase.TASK_HAS_ENDED.with(task)),
-                        null)));
-  }
-
-  private Optional<String> floorWithLoadOf(long task) {
-    return snapshots.latest().floors().stream()
-        .filter(floor -> floor.leftLoads().stream().anyMatch(load -> load.task() == task))
-        .map(floor -> floor.name())
-        .findFirst();
-  }
-
   @Override
   public CompletionStage<Answer<TaskView>> submit(TaskOrder order, String user, UUID key) {
-    return askResolved(
+    return router.askResolved(
         order.floor(), order.start(), order.goal(), floor -> floor.submit(order, user, key));
   }
 
@@ -364,13 +299,13 @@ public final class AgentFleet implements Fleet, AutoCloseable {
 
   @Override
   public CompletionStage<Answer<TaskPreview>> preview(TaskOrder order, String user) {
-    return askResolved(
+    return router.askResolved(
         order.floor(), order.start(), order.goal(), floor -> floor.preview(order, user));
   }
 
   @Override
   public CompletionStage<Answer<PathAnswer>> path(PathQuestion question, String user) {
-    return askResolved(
+    return router.askResolved(
         question.floor(), question.start(), question.goal(), floor -> floor.path(question, user));
   }
 
@@ -404,18 +339,19 @@ public final class AgentFleet implements Fleet, AutoCloseable {
   @Override
   public CompletionStage<Answer<RobotView>> pairRobot(
       String robot, PairingOrder order, String user) {
-    return askFloorOf(robot, floor -> floor.pairRobot(robot, order, user));
+    return router.askFloorOf(robot, floor -> floor.pairRobot(robot, order, user));
   }
 
   @Override
   public CompletionStage<Answer<RobotView>> changeRobot(
       String robot, RobotChange change, @Nullable RobotChange seen, String user) {
-    return askFloorOf(robot, floor -> floor.changeRobot(robot, change, seen, user));
+    return router.askFloorOf(robot, floor -> floor.changeRobot(robot, change, seen, user));
   }
 
   @Override
   public CompletionStage<Answer<RobotView>> removeRobot(String robot, String user) {
-    return askFloorOf(robot, floor -> floor.removeRobot(robot, user))
+    return router
+        .askFloorOf(robot, floor -> floor.removeRobot(robot, user))
         .whenComplete(
             (answer, failure) -> {
               if (answer instanceof Answer.Accepted<RobotView>) {
@@ -431,48 +367,44 @@ public final class AgentFleet implements Fleet, AutoCloseable {
 
   @Override
   public CompletionStage<Answer<RobotView>> locateRobot(String robot, Pose pose, String user) {
-    return askFloorOf(robot, floor -> floor.locateRobot(robot, pose, user));
+    return router.askFloorOf(robot, floor -> floor.locateRobot(robot, pose, user));
   }
 
   @Override
   public CompletionStage<Answer<RobotView>> takeOutOfService(String robot, String user) {
-    return askFloorOf(robot, floor -> floor.setInService(robot, false, user));
+    return router.askFloorOf(robot, floor -> floor.setInService(robot, false, user));
   }
 
   @Override
   public CompletionStage<Answer<RobotView>> putInService(String robot, String user) {
-    return askFloorOf(robot, floor -> floor.setInService(robot, true, user));
+    return router.askFloorOf(robot, floor -> floor.setInService(robot, true, user));
   }
 
   @Override
   public CompletionStage<Answer<RobotView>> holdRobot(String robot, String user) {
-    return robots
-        .floorOf(robot)
-        .flatMap(floors::find)
-        .map(entry -> entry.askAtOnce(agents -> agents.holdRobot(robot, true, user)))
-        .orElseGet(() -> unknownRobot(robot));
+    return router.askFloorOfAtOnce(robot, floor -> floor.holdRobot(robot, true, user));
   }
 
   @Override
   public CompletionStage<Answer<RobotView>> resumeRobot(String robot, String user) {
-    return askFloorOf(robot, floor -> floor.holdRobot(robot, false, user));
+    return router.askFloorOf(robot, floor -> floor.holdRobot(robot, false, user));
   }
 
   @Override
   public CompletionStage<Answer<RobotView>> clearStops(
       String robot, Set<String> reasons, String user) {
-    return askFloorOf(robot, floor -> floor.clearStops(robot, reasons, user));
+    return router.askFloorOf(robot, floor -> floor.clearStops(robot, reasons, user));
   }
 
   @Override
   public CompletionStage<Answer<RobotView>> sendHome(String robot, String user) {
-    return askFloorOf(robot, floor -> floor.sendHome(robot, user));
+    return router.askFloorOf(robot, floor -> floor.sendHome(robot, user));
   }
 
   @Override
   public CompletionStage<Answer<TaskView>> commandTask(
       long task, MissionEvent.OperatorCommand command) {
-    return askFloorOfTask(task, floor -> floor.commandTask(task, command));
+    return router.askFloorOfTask(task, floor -> floor.commandTask(task, command));
   }
 
   @Override
@@ -483,7 +415,7 @@ public final class AgentFleet implements Fleet, AutoCloseable {
       return CompletableFuture.completedFuture(
           new Answer.Rejected<>("floor", floors.noSuchFloor(named)));
     }
-    return askFloorOfTask(
+    return router.askFloorOfTask(
         task,
         floor ->
             named == null || floor.floor().name().equals(named)
@@ -523,21 +455,18 @@ public final class AgentFleet implements Fleet, AutoCloseable {
 
   @Override
   public CompletionStage<Answer<Optional<Hold>>> holdFloor(String floor, String user) {
-    return floors
-        .find(floor)
-        .map(entry -> entry.askAtOnce(agents -> agents.hold(true, user)))
-        .orElseGet(() -> CompletableFuture.completedFuture(FloorDirectory.unknown(floor)));
+    return router.askFloorAtOnce(floor, agents -> agents.hold(true, user));
   }
 
   @Override
   public CompletionStage<Answer<Optional<Hold>>> resumeFloor(String floor, String user) {
-    return askFloor(floor, agents -> agents.hold(false, user));
+    return router.askFloor(floor, agents -> agents.hold(false, user));
   }
 
   @Override
   public CompletionStage<Answer<Optional<String>>> chooseAllocator(
       String floor, Optional<String> allocator, String user) {
-    return askFloor(floor, agents -> agents.chooseAllocator(allocator, user));
+    return router.askFloor(floor, agents -> agents.chooseAllocator(allocator, user));
   }
 
   @Override
@@ -552,7 +481,7 @@ public final class AgentFleet implements Fleet, AutoCloseable {
 
   @Override
   public List<FloorMap> floors() {
-    return floors.all().stream().map(FloorEntry::map).toList();
+    return floors.maps();
   }
 
   @Override

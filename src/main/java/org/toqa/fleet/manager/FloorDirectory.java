@@ -5,8 +5,10 @@ import java.util.List;
 import java.util.Optional;
 import org.jspecify.annotations.Nullable;
 import org.toqa.fleet.Answer;
+import org.toqa.fleet.FloorChoice;
 import org.toqa.fleet.TaskOrder;
 import org.toqa.fleet.TaskOrder.Where;
+import org.toqa.grid.FloorMap;
 import org.toqa.wording.Phrase;
 import org.toqa.wording.Sentence;
 
@@ -39,26 +41,17 @@ final class FloorDirectory {
     return name == null ? entries.stream().findFirst() : find(name);
   }
 
-  /**
-   * The floor that an order names; where it names none, the first that has the stations that it
-   * names.
-   */
+  List<FloorMap> maps() {
+    return entries.stream().map(FloorEntry::map).toList();
+  }
+
+  /** The floor that an order means. */
   Optional<FloorEntry> resolve(@Nullable String name, Where start, Where goal) {
-    return name != null
-        ? find(name)
-        : entries.stream()
-            .filter(floor -> has(floor, start) && has(floor, goal))
-            .findFirst()
-            .or(() -> entries.stream().findFirst());
+    return FloorChoice.among(maps(), name, start, goal).flatMap(map -> find(map.name()));
   }
 
   Optional<FloorEntry> resolve(TaskOrder order) {
     return resolve(order.floor(), order.start(), order.goal());
-  }
-
-  private static boolean has(FloorEntry floor, Where where) {
-    return !(where instanceof Where.Station(String station))
-        || floor.map().stations().stream().anyMatch(s -> s.name().equals(station));
   }
 
   /** What is said to an order that names another. */

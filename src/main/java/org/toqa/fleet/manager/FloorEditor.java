@@ -197,11 +197,11 @@ final class FloorEditor implements FloorEditing, AutoCloseable {
         .toList();
   }
 
-  /** Those that order tasks on the floor; without a floor, on the first. */
+  /** Those that order tasks on the floor. */
   private List<Schedule> schedules(String floor) {
-    String first = floors.all().getFirst().name();
+    List<FloorMap> all = floors.maps();
     return schedules.schedules().stream()
-        .filter(schedule -> schedule.floor(first).equals(floor))
+        .filter(schedule -> schedule.floor(all).equals(floor))
         .toList();
   }
 

@@ -23,7 +23,7 @@ public final class SchedulesResource extends ApiHandler {
         wantedFloor(request)
             .filter(
                 services(request).schedules().schedules(),
-                schedule -> schedule.floor(services(request).fleet().floors().getFirst().name()))
+                schedule -> schedule.floor(services(request).fleet().floors()))
             .stream()
             .map(ScheduleJson::of)
             .toList());

@@ -48,18 +48,19 @@ public final class SchedulesPage extends PageHandler {
 
   public static void show(HttpServletRequest request, HttpServletResponse response)
       throws ServletException, IOException {
-    addAttributes(request);
-    show(request, response, "schedules");
+    FieldErrors errors = new FieldErrors();
+    addAttributes(request, errors);
+    showList(request, response, "schedules", errors);
   }
 
-  private static void addAttributes(HttpServletRequest request) {
+  private static void addAttributes(HttpServletRequest request, FieldErrors errors) {
     Caller caller = Caller.of(request);
     request.setAttribute(
         "entries",
-        wantedFloor(request)
+        wantedFloor(request, errors)
             .filter(
                 services(request).schedules().schedules(),
-                schedule -> schedule.floor(services(request).fleet().floors().getFirst().name()))
+                schedule -> schedule.floor(services(request).fleet().floors()))
             .stream()
             .map(schedule -> Entry.of(schedule, caller))
             .toList());
@@ -103,7 +104,7 @@ public final class SchedulesPage extends PageHandler {
     if (new EditConflict(request, Version.of(schedule.get())).isStale()) {
       FieldErrors errors = new FieldErrors();
       errors.add("form", Texts.of(request).get("error.changed.schedule", schedule.get().id()));
-      addAttributes(request);
+      addAttributes(request, errors);
       showConflict(request, response, "schedules", errors);
       return;
     }

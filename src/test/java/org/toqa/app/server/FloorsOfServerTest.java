@@ -97,6 +97,18 @@ class FloorsOfServerTest {
           assertEquals(409, api.delete("floors/attic").status(), "it has a task");
           api.post("tasks/" + task + "/cancel", Map.of());
           await(api, task, "CANCELLED");
+
+          Map<String, Object> order =
+              Map.of(
+                  "name", "Box", "load", 2, "start", station("Hatch"), "goal", station("Window"));
+          long schedule =
+              api.post("schedules", Map.of("task", order, "at", "2099-01-01T10:00:00Z"))
+                  .get("id")
+                  .asLong();
+          assertEquals(1, api.get("schedules?floor=attic").size(), "its stations are there");
+          assertEquals(0, api.get("schedules?floor=lab").size());
+          assertEquals(409, api.delete("floors/attic").status(), "it has a schedule");
+          assertTrue(api.delete("schedules/" + schedule).isAccepted());
         });
     run(
         (toqa, api) -> {
