@@ -13,7 +13,7 @@
     </div>
     <div class="choices"><a role="button" href="${root}/tasks/new"><fmt:message key="tasks.new"/></a></div>
   </div>
-  <c:if test="${fn:length(floors) > 1}">
+  <c:if test="${fn:length(floors) > 1 or not empty param.floor}">
     <form method="get" action="${root}/loads" class="filter"><t:floor-choice/><button><fmt:message key="history.filter"/></button></form>
   </c:if>
   <div id="live" data-live="loads">

@@ -13,7 +13,7 @@
     </div>
   </div>
   <c:if test="${param.done == 'removed'}"><p class="notice good" role="status"><fmt:message key="robots.done.removed"/></p></c:if>
-  <c:if test="${fn:length(floors) > 1}">
+  <c:if test="${fn:length(floors) > 1 or not empty param.floor}">
     <form method="get" action="${root}/robots" class="filter"><t:floor-choice/><button><fmt:message key="history.filter"/></button></form>
   </c:if>
   <div id="live" data-live="robots">
@@ -66,7 +66,8 @@
   <c:if test="${caller.isManager()}">
     <article class="card">
       <h2><fmt:message key="robots.add"/></h2>
-      <t:errors/>
+      <c:set var="isSent" value="${pageContext.request.method == 'POST'}"/>
+      <c:if test="${isSent}"><t:errors/></c:if>
       <form method="post" action="${root}/robots" novalidate>
         <t:csrf/>
         <div class="grid">
@@ -78,9 +79,10 @@
           <c:if test="${fn:length(floors) > 1}">
             <div>
               <label for="floor"><fmt:message key="map.floor"/></label>
-              <select id="floor" name="floor" ${not empty errors.floor ? 'aria-invalid="true"' : ''}>
+              <select id="floor" name="floor" ${isSent and not empty errors.floor ? 'aria-invalid="true" aria-describedby="floor-help"' : ''}>
                 <c:forEach items="${floors}" var="choice"><option dir="auto" ${param.floor == choice.name() ? 'selected' : ''}><c:out value="${choice.name()}"/></option></c:forEach>
               </select>
+              <c:if test="${isSent and not empty errors.floor}"><small id="floor-help" class="wrong"><bdi><c:out value="${errors.floor}"/></bdi></small></c:if>
             </div>
           </c:if>
           <div><t:field name="maxLoad" label="robots.add.maxLoad" inputmode="decimal"/></div>

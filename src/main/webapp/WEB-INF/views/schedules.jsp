@@ -15,7 +15,7 @@
   </div>
   <t:errors/>
   <c:if test="${not empty param.added}"><p class="notice good" role="status"><fmt:message key="schedules.added"/></p></c:if>
-  <c:if test="${fn:length(floors) > 1}">
+  <c:if test="${fn:length(floors) > 1 or not empty param.floor}">
     <form method="get" action="${root}/schedules" class="filter"><t:floor-choice/><button><fmt:message key="history.filter"/></button></form>
   </c:if>
   <c:if test="${empty entries}"><p class="notice"><fmt:message key="schedules.empty"/></p></c:if>

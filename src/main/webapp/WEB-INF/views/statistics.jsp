@@ -29,7 +29,7 @@
     <input type="hidden" id="zone" name="zone" value="${empty param.zone or not empty errors.zone ? 'UTC' : fn:escapeXml(param.zone)}">
     <button><fmt:message key="statistics.show"/></button>
   </form>
-  <c:forTokens items="period,from,to,zone,floor" delims="," var="name"><c:if test="${not empty errors[name]}"><p id="error-${name}" class="notice bad" role="alert"><c:out value="${errors[name]}"/></p></c:if></c:forTokens>
+  <c:forTokens items="period,from,to,zone" delims="," var="name"><c:if test="${not empty errors[name]}"><p id="error-${name}" class="notice bad" role="alert"><c:out value="${errors[name]}"/></p></c:if></c:forTokens>
   <c:if test="${not empty period}">
     <c:forEach items="${floorViews}" var="floor"><c:if test="${not empty floor.chargerShortage}"><p class="notice bad"><t:said sentence="${floor.chargerShortage.text}"/></p></c:if></c:forEach>
     <div class="figures">

@@ -106,9 +106,20 @@ abstract class PageHandler {
     ErrorResponse.send(request, response, 404, Texts.of(request).get(key));
   }
 
-  /** The floor of which a list is wanted; all where the query names none that there is. */
-  static FloorQueryReader wantedFloor(HttpServletRequest request) {
-    return new FloorQueryReader(request, new FieldErrors(), services(request).fleet().floors());
+  /** The floor of which a list is wanted; all, with a sentence in the errors, if there is none. */
+  static FloorQueryReader wantedFloor(HttpServletRequest request, FieldErrors errors) {
+    return new FloorQueryReader(request, errors, services(request).fleet().floors());
+  }
+
+  /** Shows a list, with a sentence at each field of its query that is at fault. */
+  static void showList(
+      HttpServletRequest request, HttpServletResponse response, String view, FieldErrors errors)
+      throws ServletException, IOException {
+    if (errors.isEmpty()) {
+      show(request, response, view);
+    } else {
+      showAgain(request, response, view, errors);
+    }
   }
 
   /** What a form orders; empty, with a sentence in the errors, where a field is wrong. */

@@ -16,8 +16,9 @@ import org.toqa.web.input.RobotOrderReader;
 public final class RobotsPage extends PageHandler {
   public static void show(HttpServletRequest request, HttpServletResponse response)
       throws ServletException, IOException {
-    addFleetAttributes(request);
-    show(request, response, "robots");
+    FieldErrors errors = new FieldErrors();
+    addFleetAttributes(request, errors);
+    showList(request, response, "robots", errors);
   }
 
   public static void add(HttpServletRequest request, HttpServletResponse response)
@@ -29,7 +30,7 @@ public final class RobotsPage extends PageHandler {
     if (robot.isPresent()) {
       redirect(request, response, "/robots/" + robot.get().name());
     } else {
-      addFleetAttributes(request);
+      addFleetAttributes(request, errors);
       showAgain(request, response, "robots", errors);
     }
   }
@@ -41,10 +42,10 @@ public final class RobotsPage extends PageHandler {
         request, FleetAnswers.await(services(request).fleet().addRobot(order, user)), errors);
   }
 
-  private static void addFleetAttributes(HttpServletRequest request) {
+  private static void addFleetAttributes(HttpServletRequest request, FieldErrors errors) {
     request.setAttribute(
         "robots",
-        wantedFloor(request)
+        wantedFloor(request, errors)
             .filter(services(request).fleet().snapshots().latest().robots(), RobotView::floor));
     request.setAttribute("gateways", services(request).fleet().gateways());
   }

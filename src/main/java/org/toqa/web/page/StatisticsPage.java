@@ -11,7 +11,6 @@ import org.toqa.fleet.history.Period;
 import org.toqa.fleet.history.PeriodStatistics;
 import org.toqa.web.Texts;
 import org.toqa.web.input.FieldErrors;
-import org.toqa.web.input.FloorQueryReader;
 import org.toqa.web.input.PeriodReader;
 
 /** How the fleet does, in numbers of a period. */
@@ -22,8 +21,7 @@ public final class StatisticsPage extends PageHandler {
     FieldErrors errors = new FieldErrors();
     PeriodReader choice = new PeriodReader(request, errors);
     Period period = choice.period(services(request).clock().instant());
-    String floor =
-        new FloorQueryReader(request, errors, services(request).fleet().floors()).floor();
+    String floor = wantedFloor(request, errors).floor();
     request.setAttribute("names", PeriodReader.NAMES);
     request.setAttribute("chosen", choice.name());
     if (!errors.isEmpty()) {
