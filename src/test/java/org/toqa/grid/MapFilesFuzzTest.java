@@ -21,6 +21,7 @@ import javax.imageio.ImageIO;
 import org.junit.jupiter.api.Test;
 import org.toqa.geometry.Vec2;
 import org.toqa.testbed.FuzzRun;
+import org.toqa.testbed.Splice;
 
 /**
  * Files of maps with bytes that were changed, lost or added: each is read, or refused with a
@@ -162,13 +163,13 @@ class MapFilesFuzzTest {
       int to = Math.min(bytes.length, from + random.nextInt(8));
       bytes =
           switch (random.nextInt(6)) {
-            case 0 -> join(bytes, from, new byte[0], to); // lost
-            case 1 -> join(bytes, from, noise(to - from), to); // changed
-            case 2 -> join(bytes, from, word(), to); // another word
-            case 3 -> join(bytes, to, Arrays.copyOfRange(bytes, from, to), to); // twice
+            case 0 -> Splice.of(bytes, from, new byte[0], to); // lost
+            case 1 -> Splice.of(bytes, from, noise(to - from), to); // changed
+            case 2 -> Splice.of(bytes, from, word(), to); // another word
+            case 3 -> Splice.of(bytes, to, Arrays.copyOfRange(bytes, from, to), to); // twice
             case 4 -> withOtherBit(bytes);
             default ->
-                random.nextInt(8) == 0 ? join(bytes, from, new byte[0], bytes.length) : bytes;
+                random.nextInt(8) == 0 ? Splice.of(bytes, from, new byte[0], bytes.length) : bytes;
           };
     }
     return name.endsWith(".png") && random.nextBoolean() ? withChecksums(bytes) : bytes;
@@ -212,13 +213,5 @@ class MapFilesFuzzTest {
 
   private static int number(byte[] bytes, int at) {
     return ByteBuffer.wrap(bytes, at, 4).getInt();
-  }
-
-  private static byte[] join(byte[] bytes, int end, byte[] middle, int begin) {
-    ByteArrayOutputStream joined = new ByteArrayOutputStream();
-    joined.write(bytes, 0, end);
-    joined.writeBytes(middle);
-    joined.write(bytes, begin, bytes.length - begin);
-    return joined.toByteArray();
   }
 }

@@ -1,6 +1,5 @@
 package org.toqa.testbed;
 
-import java.io.ByteArrayOutputStream;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -153,22 +152,14 @@ public final class LineFuzzer {
       int to = Math.min(bytes.length, from + random.nextInt(12));
       bytes =
           switch (random.nextInt(5)) {
-            case 0 -> join(bytes, from, new byte[0], to); // lost
-            case 1 -> join(bytes, from, noise(to - from), to); // changed
-            case 2 -> join(bytes, from, noise(random.nextInt(12)), from); // added
-            case 3 -> join(bytes, to, Arrays.copyOfRange(bytes, from, to), to); // twice
-            default -> join(bytes, from, other, bytes.length); // cut off, and another begun
+            case 0 -> Splice.of(bytes, from, new byte[0], to); // lost
+            case 1 -> Splice.of(bytes, from, noise(to - from), to); // changed
+            case 2 -> Splice.of(bytes, from, noise(random.nextInt(12)), from); // added
+            case 3 -> Splice.of(bytes, to, Arrays.copyOfRange(bytes, from, to), to); // twice
+            default -> Splice.of(bytes, from, other, bytes.length); // cut off, and another begun
           };
     }
     return bytes;
-  }
-
-  private static byte[] join(byte[] bytes, int end, byte[] middle, int begin) {
-    ByteArrayOutputStream joined = new ByteArrayOutputStream();
-    joined.write(bytes, 0, end);
-    joined.writeBytes(middle);
-    joined.write(bytes, begin, bytes.length - begin);
-    return joined.toByteArray();
   }
 
   /** Has no line feed in it. */

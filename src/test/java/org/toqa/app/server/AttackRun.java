@@ -82,6 +82,8 @@ final class AttackRun implements AutoCloseable {
     places.put("name", "Absent");
     String robot = "{\"name\":\"Absent\",\"host\":\"127.0.0.1\",\"port\":9,\"maxLoad\":50}";
     assertEquals(201, manager.postJson("api/v1/robots", robot).statusCode());
+    String loft = "{\"name\":\"Loft\",\"width\":3,\"height\":3,\"resolution\":1}";
+    assertEquals(201, manager.postJson("api/v1/floors", loft).statusCode());
     String schedule = "{\"task\":" + ORDER + ",\"at\":\"2099-01-01T10:00:00Z\"}";
     assertEquals(201, manager.postJson("api/v1/schedules", schedule).statusCode());
   }
@@ -234,6 +236,22 @@ final class AttackRun implements AutoCloseable {
     if (!isSo) {
       faults.add(fault);
     }
+  }
+
+  /**
+   * Files a fault where something was stored though it was refused.
+   *
+   * @param before what was stored before
+   */
+  void expectUnchanged(List<String> before, String where) throws SQLException {
+    List<String> after = server.stored();
+    expect(
+        before.equals(after),
+        where
+            + " is refused and stored all the same: "
+            + before.stream().filter(row -> !after.contains(row)).toList()
+            + " is now "
+            + after.stream().filter(row -> !before.contains(row)).toList());
   }
 
   /** Files a fault where an answer is another than the one that is right. */

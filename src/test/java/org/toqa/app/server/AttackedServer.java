@@ -180,8 +180,8 @@ final class AttackedServer implements AutoCloseable {
   }
 
   /** All that people have ordered, as it is stored now. */
-  String stored() throws SQLException {
-    List<List<@Nullable Object>> rows = new ArrayList<>();
+  List<String> stored() throws SQLException {
+    List<String> rows = new ArrayList<>();
     try (Statement statement = database.createStatement()) {
       for (String query : STORED) {
         try (ResultSet found = statement.executeQuery(query + " order by 1")) {
@@ -190,12 +190,12 @@ final class AttackedServer implements AutoCloseable {
             for (int i = 1; i <= found.getMetaData().getColumnCount(); i++) {
               row.add(found.getObject(i));
             }
-            rows.add(row);
+            rows.add(query.replaceFirst(".* from ", "") + " " + row);
           }
         }
       }
     }
-    return rows.toString();
+    return rows;
   }
 
   /** Lets all threads end, and then looks at what was logged. */

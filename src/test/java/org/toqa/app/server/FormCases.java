@@ -131,6 +131,12 @@ final class FormCases {
             .answeredWith(422),
         FormCase.of(
                 "robots/Absent",
+                "/robots/{name}/move",
+                Map.of("floor", "Loft", "x", "1", "y", "1", "heading", "0"),
+                refused("floor", "x", "y", "heading"))
+            .answeredWith(422),
+        FormCase.of(
+                "robots/Absent",
                 "/robots/{name}/locate",
                 Map.of("x", "1", "y", "1", "heading", "0"),
                 refused("x", "y", "heading"))
@@ -218,7 +224,7 @@ final class FormCases {
                 Map.of(),
                 and(
                     refused("state", "from", "until", "sort", "followed"),
-                    Map.of("robot", TAKEN, "text", TAKEN, "user", TAKEN)))
+                    Map.of("robot", TAKEN, "floor", TAKEN, "text", TAKEN, "user", TAKEN)))
             .answeredWith(200),
         FormCase.of(
                 "history",
@@ -226,10 +232,13 @@ final class FormCases {
                 Map.of(),
                 and(
                     refused("task", "from", "until", "kind"),
-                    Map.of("robot", TAKEN, "user", TAKEN)))
+                    Map.of("robot", TAKEN, "floor", TAKEN, "user", TAKEN)))
             .answeredWith(200),
-        FormCase.of("statistics", "/statistics", Map.of(), refused("from", "to", "zone"))
-            .answeredWith(200));
+        FormCase.of("statistics", "/statistics", Map.of(), refused("from", "to", "zone", "floor"))
+            .answeredWith(200),
+        FormCase.of("robots", "/robots", Map.of(), refused("floor")).answeredWith(200),
+        FormCase.of("loads", "/loads", Map.of(), refused("floor")).answeredWith(200),
+        FormCase.of("schedules", "/schedules", Map.of(), refused("floor")).answeredWith(200));
   }
 
   private FormCases() {}
