@@ -24,6 +24,7 @@ import org.toqa.mission.TransportTask.LoadSize;
 /** Loads as things: each is the same one wherever it is, and in the way where it was set down. */
 class FleetLoadsTest extends HallFleetTest {
   private static final Cell DOOR_CELL = GRID.cellAt(DOOR);
+  private static final Vec2 EAST_OF_DOOR = DOOR.plus(new Vec2(1, 0));
 
   @Test
   void robotsWaitForALoadInTheOnlyDoorAlsoAfterTheServerWasKilled() throws Exception {
@@ -93,6 +94,17 @@ class FleetLoadsTest extends HallFleetTest {
         new TaskPlace(new Vec2(8.5, 2.5), "East"),
         load(stage.fleet.snapshots().latest(), task).place());
     until(view -> LoadView.of(view).isEmpty());
+  }
+
+  @Test
+  void aLoadIsMovedAsSoonAsTheServerIsThereAgain() throws Exception {
+    setDownInTheDoor();
+    long task = left().task();
+
+    stage.restart();
+
+    accepted(stage.fleet.commandTask(task, moved(EAST_OF_DOOR)));
+    until(view -> place(left()).equals(EAST_OF_DOOR));
   }
 
   @Test

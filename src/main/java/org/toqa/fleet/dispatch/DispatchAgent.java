@@ -115,7 +115,7 @@ final class DispatchAgent extends AbstractBehavior<DispatchMessage> {
         new DispatchState(
             floor,
             floorAgent,
-            shared.openTasks(),
+            shared.taskFloors(),
             store,
             shared.clock(),
             now,
@@ -168,6 +168,7 @@ final class DispatchAgent extends AbstractBehavior<DispatchMessage> {
             self,
             robotAgents);
     recover(robots, open, onFloor(floor, store.endedLegs()));
+    state.setLeftLoads(memory.leftLoads().stream().map(t -> t.mission().id()));
     log.info(
         "{}: {} robots, {} tasks not ended, {} of them queued.",
         floor.name(),
@@ -278,7 +279,7 @@ final class DispatchAgent extends AbstractBehavior<DispatchMessage> {
   }
 
   private void floorReported(FloorEvent.FloorReport m) {
-    state.report = m;
+    state.setReport(m);
     m.missions().forEach(state::recordLeg);
     m.ended().forEach(state::addEnded);
     state.changed = true;

@@ -18,6 +18,7 @@ import org.toqa.allocation.Candidate;
 import org.toqa.allocation.PlaceUse;
 import org.toqa.fleet.FleetRuntime;
 import org.toqa.fleet.FleetStore;
+import org.toqa.fleet.FloorView.LeftLoad;
 import org.toqa.fleet.RobotRecord;
 import org.toqa.fleet.RobotView;
 import org.toqa.fleet.StoreWriter;
@@ -72,15 +73,15 @@ final class DispatchState {
   /** Whether there is something new to show. */
   boolean changed = true;
 
-  private final OpenTasks openTasks;
+  private final TaskFloors taskFloors;
 
   /**
-   * @param openTasks is told which tasks are here
+   * @param taskFloors is told which tasks are here
    */
   DispatchState(
       FloorMap floor,
       ActorRef<FloorMessage> floorAgent,
-      OpenTasks openTasks,
+      TaskFloors taskFloors,
       FleetStore store,
       InstantSource clock,
       Instant now,
@@ -89,7 +90,7 @@ final class DispatchState {
     this.floor = floor;
     this.distances = new FloorDistances(floor.grid());
     this.floorAgent = floorAgent;
-    this.openTasks = openTasks;
+    this.taskFloors = taskFloors;
     this.store = store;
     this.writer =
         new StoreWriter("tasks-" + floor.name(), runtime, store::inOneTransaction, onLeftOut);
@@ -98,9 +99,18 @@ final class DispatchState {
     this.now = now;
   }
 
+  void setReport(FloorEvent.FloorReport now) {
+    report = now;
+    setLeftLoads(now.floor().leftLoads().stream().map(LeftLoad::task));
+  }
+
+  void setLeftLoads(Stream<Long> tasks) {
+    taskFloors.setLeftLoads(floor.name(), tasks.collect(Collectors.toUnmodifiableSet()));
+  }
+
   void addEnded(TaskView task) {
     recordLeg(task);
-    openTasks.remove(task.id());
+    taskFloors.removeOpen(task.id());
     ended.removeIf(before -> before.id() == task.id());
     ended.addFirst(task);
     if (ended.size() > ENDED_SHOWN) {
@@ -116,14 +126,14 @@ final class DispatchState {
   /** Puts a task that is stored so into the queue. */
   void enqueue(Mission mission, Instant since) {
     queue.add(mission, since, true);
-    openTasks.add(mission.id(), floor.name());
+    taskFloors.addOpen(mission.id(), floor.name());
     legs.record(mission);
     isRoundDue = true;
   }
 
   /** As it was stored when this began. */
   void recover(Mission mission, Instant since) {
-    openTasks.add(mission.id(), floor.name());
+    taskFloors.addOpen(mission.id(), floor.name());
     if (mission.state() == TaskState.QUEUED) {
       queue.add(mission, since, true);
     }
@@ -168,8 +178,7 @@ final class DispatchState {
 
   /** Whether the load of that ended task lies on the floor. */
   boolean hasLoadOf(long task) {
-    FloorEvent.FloorReport told = report;
-    return told != null && told.floor().leftLoads().stream().anyMatch(load -> load.task() == task);
+    return taskFloors.hasLeftLoad(floor.name(), task);
   }
 
   List<RobotView> robotsHere() {

@@ -22,5 +22,5 @@ public record SharedParts(
     FleetRuntime runtime,
     OrderChecks checks,
     PendingSubmissions pendingSubmissions,
-    OpenTasks openTasks,
+    TaskFloors taskFloors,
     StoreHealthCheck storeHealth) {}

@@ -296,7 +296,7 @@ final class TaskCommandHandler {
       commandTask(queued.get(), m);
       return;
     }
-    if (state.isOnFloor(m.task())) {
+    if (state.report == null || state.isOnFloor(m.task())) {
       state.floorAgent.tell(new FloorMessage.CommandTask(m.task(), m.command(), m.replyTo()));
     } else {
       m.replyTo()

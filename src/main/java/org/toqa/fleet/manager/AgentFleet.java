@@ -50,11 +50,11 @@ import org.toqa.fleet.dispatch.AgentSystemSetup;
 import org.toqa.fleet.dispatch.DispatchCalls;
 import org.toqa.fleet.dispatch.FloorFleet;
 import org.toqa.fleet.dispatch.LatestSnapshot;
-import org.toqa.fleet.dispatch.OpenTasks;
 import org.toqa.fleet.dispatch.OrderChecks;
 import org.toqa.fleet.dispatch.PendingSubmissions;
 import org.toqa.fleet.dispatch.SharedParts;
 import org.toqa.fleet.dispatch.StoreHealthCheck;
+import org.toqa.fleet.dispatch.TaskFloors;
 import org.toqa.fleet.dispatch.TaskSubmitter;
 import org.toqa.fleet.robot.AgentHealth;
 import org.toqa.fleet.schedule.StoredSchedules;
@@ -147,7 +147,7 @@ public final class AgentFleet implements Fleet, AutoCloseable {
             runtime,
             OrderChecks.of(runtime, rules.checksPerUser()),
             new PendingSubmissions(),
-            new OpenTasks(),
+            new TaskFloors(),
             new StoreHealthCheck(
                 store, answers -> forEachRunning(floor -> floor.tellStoreHealth(answers))));
     this.schedules = new StoredSchedules(scheduleStore, this, clock);
@@ -182,8 +182,7 @@ public final class AgentFleet implements Fleet, AutoCloseable {
       throw e;
     }
     this.monitor = new FleetMonitor(floors::all, this::managerFailures, snapshots);
-    this.router =
-        new FloorRouter(floors, robots, shared.openTasks(), snapshots, findMissingFloors());
+    this.router = new FloorRouter(floors, robots, shared.taskFloors(), findMissingFloors());
   }
 
   private void startAll(List<FloorMap> maps) {

@@ -171,8 +171,8 @@ final class FloorEditor implements FloorEditing, AutoCloseable {
   private Optional<Sentence> objectionToRemoval(FloorEntry entry) {
     String name = entry.name();
     int robotsHere = robots.count(name);
-    int tasks = shared.openTasks().count(name);
-    int loads = leftLoads(entry).size();
+    int tasks = shared.taskFloors().openCount(name);
+    int loads = shared.taskFloors().leftLoadCount(name);
     int orders = schedules(name).size();
     if (floors.all().size() == 1) {
       return Optional.of(Phrase.LAST_FLOOR.with());

@@ -10,27 +10,24 @@ import org.toqa.fleet.Answer;
 import org.toqa.fleet.TaskOrder.Where;
 import org.toqa.fleet.TaskView;
 import org.toqa.fleet.dispatch.FloorFleet;
-import org.toqa.fleet.dispatch.OpenTasks;
+import org.toqa.fleet.dispatch.TaskFloors;
 import org.toqa.wording.Phrase;
 
 /** Asks the floor that a question concerns, or answers that there is none. */
 final class FloorRouter {
   private final FloorDirectory floors;
   private final RobotFloors robots;
-  private final OpenTasks openTasks;
-  private final SiteSnapshots snapshots;
+  private final TaskFloors taskFloors;
   private final MissingFloors missingFloors;
 
   FloorRouter(
       FloorDirectory floors,
       RobotFloors robots,
-      OpenTasks openTasks,
-      SiteSnapshots snapshots,
+      TaskFloors taskFloors,
       MissingFloors missingFloors) {
     this.floors = floors;
     this.robots = robots;
-    this.openTasks = openTasks;
-    this.snapshots = snapshots;
+    this.taskFloors = taskFloors;
     this.missingFloors = missingFloors;
   }
 
@@ -76,11 +73,7 @@ final class FloorRouter {
   CompletionStage<Answer<TaskView>> askFloorOfTask(
       long task, Function<FloorFleet, CompletionStage<Answer<TaskView>>> question) {
     return answered(
-        openTasks
-            .floorOf(task)
-            .or(() -> floorWithLoadOf(task))
-            .flatMap(floors::find)
-            .map(entry -> entry.ask(question)),
+        taskFloors.floorOf(task).flatMap(floors::find).map(entry -> entry.ask(question)),
         () ->
             new Answer.Conflict<>(
                 missingFloors.alertOfTask(task).orElseGet(() -> Phrase.TASK_HAS_ENDED.with(task)),
@@ -89,13 +82,6 @@ final class FloorRouter {
 
   private Optional<FloorEntry> withRobot(String robot) {
     return robots.floorOf(robot).flatMap(floors::find);
-  }
-
-  private Optional<String> floorWithLoadOf(long task) {
-    return snapshots.latest().floors().stream()
-        .filter(floor -> floor.leftLoads().stream().anyMatch(load -> load.task() == task))
-        .map(floor -> floor.name())
-        .findFirst();
   }
 
   private static <T> Answer<T> unknownRobot(String robot) {
