@@ -45,6 +45,13 @@
       </c:if>
     </c:forEach>
   </header>
+  <c:if test="${not empty visitedSite}">
+    <aside class="notice visit">
+      <span><fmt:message key="sites.looking"><fmt:param><bdi><c:out value="${visitedSite}"/></bdi></fmt:param></fmt:message></span>
+      <c:url value="/sites/${caller.site().name()}/visit" var="home"/>
+      <form method="post" action="<c:out value="${home}"/>"><t:csrf/><button class="outline"><fmt:message key="sites.back"/></button></form>
+    </aside>
+  </c:if>
   <c:if test="${not empty caller}">
     <t:pause/>
     <div id="alerts" role="alert"><c:forEach items="${alerts}" var="alert"><p class="notice bad"><t:said sentence="${alert}"/></p></c:forEach></div>

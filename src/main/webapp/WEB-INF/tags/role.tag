@@ -6,5 +6,6 @@
 <select id="role" name="role" ${empty errors.role ? '' : 'aria-invalid="true" aria-describedby="role-help"'}>
   <option value="CLERK"><fmt:message key="users.role.CLERK"/></option>
   <option value="MANAGER" ${chosen == 'MANAGER' ? 'selected' : ''}><fmt:message key="users.role.MANAGER"/></option>
+  <c:if test="${caller.mayMakeAdministrators()}"><option value="ADMINISTRATOR" ${chosen == 'ADMINISTRATOR' ? 'selected' : ''}><fmt:message key="users.role.ADMINISTRATOR"/></option></c:if>
 </select>
 <c:if test="${not empty errors.role}"><small id="role-help" class="wrong"><bdi><c:out value="${errors.role}"/></bdi></small></c:if>

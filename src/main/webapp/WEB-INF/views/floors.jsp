@@ -11,6 +11,7 @@
       <h1>${title}</h1>
       <p class="faint"><fmt:message key="floors.intro"/></p>
     </div>
+    <c:if test="${caller.isAdministrator()}"><a href="${root}/sites"><fmt:message key="sites.title"/></a></c:if>
   </div>
   <c:if test="${param.done == 'added'}"><p class="notice good" role="status"><fmt:message key="floors.done.added"/></p></c:if>
   <c:if test="${param.done == 'removed'}"><p class="notice good" role="status"><fmt:message key="floors.done.removed"/></p></c:if>
@@ -36,13 +37,13 @@
           <td class="whole">
             <div class="choices">
               <a href="<c:out value="${mapUrl}"/>"><fmt:message key="floors.map"/></a>
-              <c:if test="${caller.isManager()}"><a href="<c:out value="${root}/floors/${entry.segment()}/edit"/>"><fmt:message key="floors.edit"/></a></c:if>
+              <c:if test="${caller.mayManage()}"><a href="<c:out value="${root}/floors/${entry.segment()}/edit"/>"><fmt:message key="floors.edit"/></a></c:if>
               <details class="or">
                 <summary><fmt:message key="floors.export"/></summary>
                 <a href="<c:out value="${root}/api/v1/floors/${entry.segment()}/export?format=ros"/>" download><fmt:message key="floors.export.ros"/></a><br>
                 <a href="<c:out value="${root}/api/v1/floors/${entry.segment()}/export?format=movingai"/>" download><fmt:message key="floors.export.movingai"/></a>
               </details>
-              <c:if test="${caller.isManager() and fn:length(entries) > 1}">
+              <c:if test="${caller.mayManage() and fn:length(entries) > 1}">
                 <details class="or">
                   <summary><fmt:message key="floors.delete"/></summary>
                   <form method="post" action="<c:out value="${root}/floors/${entry.segment()}/delete"/>">
@@ -58,7 +59,7 @@
       </c:forEach>
     </tbody>
   </table>
-  <c:if test="${caller.isManager()}">
+  <c:if test="${caller.mayManage()}">
     <article class="card">
       <h2><fmt:message key="floors.add"/></h2>
       <t:errors/>

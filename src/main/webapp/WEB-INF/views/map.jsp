@@ -97,13 +97,13 @@
       </section>
       <section id="floors" data-live="floors">
         <c:forEach items="${floorViews}" var="view">
-          <c:if test="${not empty view.hold or caller.isManager()}">
+          <c:if test="${not empty view.hold or caller.mayManage()}">
             <div data-floor="<c:out value="${view.name}"/>">
             <h2><fmt:message key="map.floorNamed"><fmt:param><bdi><c:out value="${view.name}"/></bdi></fmt:param></fmt:message></h2>
             <c:if test="${not empty view.hold}">
               <p class="notice warn"><fmt:message key="floor.held"><fmt:param><bdi><c:out value="${view.hold.user}"/></bdi></fmt:param></fmt:message>${" "}<t:time at="${view.hold.since}"/></p>
             </c:if>
-            <c:if test="${caller.isManager()}">
+            <c:if test="${caller.mayManage()}">
               <c:url value="/floors/${FloorsPage.segment(view.name)}/${empty view.hold ? 'hold' : 'resume'}" var="holdOrResume"/>
               <form method="post" action="<c:out value="${holdOrResume}"/>">
                 <t:csrf/>

@@ -66,7 +66,7 @@
       </article>
     </c:if>
   </div>
-  <c:if test="${caller.isManager()}">
+  <c:if test="${caller.mayManage()}">
     <c:set var="stops" value="${robot.stops()}"/>
     <article class="card service" id="stop" data-live="robot-stop" data-name="${fn:escapeXml(robot.name)}" ${empty stops ? 'hidden' : ''}>
       <h2><fmt:message key="robot.stop"/></h2>
@@ -108,7 +108,7 @@
     <c:url value="/history" var="history"><c:param name="robot" value="${robot.name}"/></c:url>
     <a href="<c:out value="${history}"/>"><fmt:message key="robot.history"/></a>
   </article>
-  <c:if test="${caller.isManager()}">
+  <c:if test="${caller.mayManage()}">
     <article class="card" id="actions" data-live="robot-actions" data-name="${fn:escapeXml(robot.name)}" ${empty pause or empty robot.work.task ? '' : 'hidden'}>
       <h2><fmt:message key="robot.actions"/></h2>
       <div class="choices">

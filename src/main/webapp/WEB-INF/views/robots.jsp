@@ -63,7 +63,7 @@
       </ul>
     </c:if>
   </div>
-  <c:if test="${caller.isManager()}">
+  <c:if test="${caller.mayManage()}">
     <article class="card">
       <h2><fmt:message key="robots.add"/></h2>
       <c:set var="isSent" value="${pageContext.request.method == 'POST'}"/>

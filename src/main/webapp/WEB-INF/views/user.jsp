@@ -4,7 +4,7 @@
 <%@ taglib prefix="fn" uri="jakarta.tags.functions" %>
 <%@ taglib prefix="t" tagdir="/WEB-INF/tags" %>
 <c:set var="root" value="${pageContext.request.contextPath}"/>
-<c:set var="manager" value="${caller.isManager()}"/>
+<c:set var="manager" value="${caller.isManager() and (user.role != 'ADMINISTRATOR' or caller.isAdministrator())}"/>
 <c:set var="own" value="${user.id == caller.account.id}"/>
 <t:page title="${user.name}" here="user">
   <div class="heading">
@@ -12,7 +12,7 @@
       <h1><bdi><c:out value="${user.name}"/></bdi></h1>
       <p class="faint"><c:if test="${own}"><fmt:message key="users.own"/> · </c:if><fmt:message key="users.role.${user.role}"/><c:if test="${user.disabled()}">, <strong><fmt:message key="users.disabled"/></strong></c:if> · <fmt:message key="users.created"/>${" "}<t:time at="${user.createdAt}"/></p>
     </div>
-    <c:if test="${manager}"><a href="${root}/users"><fmt:message key="users.all"/></a></c:if>
+    <c:if test="${caller.isManager()}"><a href="${root}/users"><fmt:message key="users.all"/></a></c:if>
   </div>
   <c:if test="${param.done == 'changed' or param.done == 'password' or param.done == 'email' or param.done == 'ended'}"><p class="notice good" role="status"><fmt:message key="users.done.${param.done}"/></p></c:if>
   <t:errors/>

@@ -6,7 +6,10 @@
 <c:set var="root" value="${pageContext.request.contextPath}"/>
 <fmt:message key="users.title" var="title"/>
 <t:page title="${title}" here="user">
-  <div class="heading"><h1>${title}</h1></div>
+  <div class="heading">
+    <h1>${title}</h1>
+    <c:if test="${caller.isAdministrator()}"><a href="${root}/sites"><fmt:message key="sites.title"/></a></c:if>
+  </div>
   <c:if test="${param.done == 'added' or param.done == 'deleted'}"><p class="notice good" role="status"><fmt:message key="users.done.${param.done}"/></p></c:if>
   <t:errors/>
   <table class="stacks">

@@ -19,9 +19,29 @@ public record Account(
     Role role,
     boolean disabled,
     Instant createdAt) {
+  /** No account's id. */
+  private static final long VISITOR = 0;
 
   public boolean isManager() {
-    return role == Role.MANAGER;
+    return role.isManager();
+  }
+
+  public boolean isAdministrator() {
+    return role == Role.ADMINISTRATOR;
+  }
+
+  /** Whether he is of another site, and looks in. */
+  public boolean isVisitor() {
+    return id == VISITOR;
+  }
+
+  /**
+   * The same as another site knows somebody who looks in: nothing there is his.
+   *
+   * @param from the name of his own site
+   */
+  public Account asVisitor(String from) {
+    return new Account(VISITOR, name + "@" + from, null, passwordHash, role, disabled, createdAt);
   }
 
   /** Without the password's hash, so that it reaches no log. */

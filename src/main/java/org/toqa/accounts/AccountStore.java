@@ -20,7 +20,9 @@ public interface AccountStore {
     /** Refused: it was changed since it was read. */
     OUTDATED,
     /** Refused: nobody would be left to manage the others. */
-    LAST_MANAGER
+    LAST_MANAGER,
+    /** Refused: nobody would be left to make sites. */
+    LAST_ADMINISTRATOR
   }
 
   /** Whether there is a manager who can sign in. */
@@ -59,7 +61,7 @@ public interface AccountStore {
       String name, @Nullable String email, String passwordHash, Role role, String by);
 
   /**
-   * Adds a manager where there is none.
+   * Adds a manager where there is none, who is also administrator.
    *
    * @return empty when there is a manager already, or a user of that name
    */
@@ -90,7 +92,7 @@ public interface AccountStore {
    * @param id the account's
    * @param handover who gets his schedules and tokens
    * @param by who does it
-   * @return {@code LAST_MANAGER} is a refusal: nothing changes then
+   * @return {@code LAST_MANAGER} and {@code LAST_ADMINISTRATOR} are refusals: nothing changes then
    */
   ChangeResult delete(long id, Handover handover, String by);
 

@@ -1,7 +1,6 @@
 package org.toqa.accounts;
 
 import java.time.Duration;
-import java.time.InstantSource;
 import java.util.Locale;
 import java.util.Optional;
 import org.slf4j.Logger;
@@ -34,16 +33,18 @@ public final class Authenticator {
   private final AccountStore accounts;
   private final PasswordHasher passwords;
   private final LoginThrottle throttle;
+  private final String site;
 
-  private Authenticator(AccountStore accounts, PasswordHasher passwords, LoginThrottle throttle) {
+  /**
+   * @param throttle of all sites together, so that guessing at many goes no faster
+   * @param site whose accounts these are
+   */
+  public Authenticator(
+      AccountStore accounts, PasswordHasher passwords, LoginThrottle throttle, Site site) {
     this.accounts = accounts;
     this.passwords = passwords;
     this.throttle = throttle;
-  }
-
-  public static Authenticator of(
-      AccountStore accounts, PasswordHasher passwords, InstantSource clock) {
-    return new Authenticator(accounts, passwords, new LoginThrottle(clock));
+    this.site = site.isFirst() ? "" : "@" + site.id();
   }
 
   /**
@@ -52,7 +53,8 @@ public final class Authenticator {
   public Outcome authenticate(String name, String password, String address) {
     String key = name.substring(0, Math.min(name.length(), MAX_CHECKED_LENGTH));
     key = key.strip().toLowerCase(Locale.ROOT);
-    Duration wait = throttle.tryBegin(key, address);
+    String guessed = key + site;
+    Duration wait = throttle.tryBegin(guessed, address);
     if (wait.isPositive()) {
       return new Outcome.Throttled(wait);
     }
@@ -70,7 +72,7 @@ public final class Authenticator {
       LOG.info("A login from {} failed.", address);
       return new Outcome.WrongCredentials();
     } finally {
-      throttle.end(key, address, result);
+      throttle.end(guessed, address, result);
     }
   }
 }

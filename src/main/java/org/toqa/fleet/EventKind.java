@@ -78,6 +78,8 @@ public enum EventKind {
   SCHEDULE_REFUSED("schedule.refused"),
   SCHEDULE_RESUMED("schedule.resumed"),
   SCHEDULE_SKIPPED("schedule.skipped"),
+  SITE_ADDED("site.added"),
+  SITE_REMOVED("site.removed"),
   USER_ADDED("user.added"),
   USER_CHANGED("user.changed"),
   USER_DELETED("user.deleted"),

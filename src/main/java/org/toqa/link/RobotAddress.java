@@ -25,6 +25,11 @@ public record RobotAddress(
     this(robot, host, port, fingerprint, null);
   }
 
+  /** The same robot at another port. */
+  public RobotAddress withPort(int other) {
+    return new RobotAddress(robot, host, other, fingerprint, gateway);
+  }
+
   /** For sentences, with the gateway. */
   String place() {
     String hostAndPort = host + ":" + port;

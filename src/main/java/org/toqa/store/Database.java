@@ -19,6 +19,7 @@ import org.h2.api.ErrorCode;
 import org.jdbi.v3.core.Handle;
 import org.jdbi.v3.core.Jdbi;
 import org.jspecify.annotations.Nullable;
+import org.toqa.accounts.Site;
 import org.toqa.fleet.PeriodicWork;
 
 /**
@@ -193,6 +194,15 @@ public final class Database implements AutoCloseable {
    */
   public static String fileUrl(Path file) {
     return H2Url.ofFile(file);
+  }
+
+  /**
+   * The JDBC URL of a site's database: beside the first one's, with the site's id in its name.
+   *
+   * @param first that of the first site's
+   */
+  public static String siteUrl(String first, Site site) {
+    return SiteUrl.of(first, site);
   }
 
   /** Whether a file was not opened since another process has it open. */

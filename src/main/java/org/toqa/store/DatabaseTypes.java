@@ -16,6 +16,7 @@ import org.jdbi.v3.core.argument.ArgumentFactory;
 import org.jdbi.v3.core.argument.NullArgument;
 import org.jspecify.annotations.Nullable;
 import org.toqa.accounts.Account;
+import org.toqa.accounts.Site;
 import org.toqa.fleet.FleetStore.StoredDrive;
 import org.toqa.fleet.Hold;
 import org.toqa.fleet.RobotRecord;
@@ -69,6 +70,7 @@ final class DatabaseTypes {
     register(jdbi, JdbiSessionStore.ListedSessionRow.class);
     register(jdbi, JdbiSessionStore.OwnedSessionRow.class);
     register(jdbi, Account.class);
+    register(jdbi, Site.class);
   }
 
   private static <T> void register(Jdbi jdbi, Class<T> type) {

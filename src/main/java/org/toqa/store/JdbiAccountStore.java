@@ -123,7 +123,7 @@ public final class JdbiAccountStore implements AccountStore {
 
   @Override
   public synchronized Optional<Account> addFirstManager(String name, String passwordHash) {
-    return hasManager() ? Optional.empty() : add(name, passwordHash, Role.MANAGER, name);
+    return hasManager() ? Optional.empty() : add(name, passwordHash, Role.ADMINISTRATOR, name);
   }
 
   @Override
@@ -134,8 +134,9 @@ public final class JdbiAccountStore implements AccountStore {
           if (account.isEmpty()) {
             return ChangeResult.NO_SUCH_ACCOUNT;
           }
-          if (isLastManager(handle, account.get())) {
-            return ChangeResult.LAST_MANAGER;
+          Optional<ChangeResult> refusal = refusalToLose(handle, account.get(), null);
+          if (refusal.isPresent()) {
+            return refusal.get();
           }
           LeftBehind left = new LeftBehind(handle, account.get(), clock.instant(), by);
           left.handOverSchedules(handover.schedules());
@@ -160,8 +161,9 @@ public final class JdbiAccountStore implements AccountStore {
             return ChangeResult.NO_SUCH_ACCOUNT;
           }
           Account old = found.get();
-          if ((disabled || role != Role.MANAGER) && isLastManager(handle, old)) {
-            return ChangeResult.LAST_MANAGER;
+          Optional<ChangeResult> refusal = refusalToLose(handle, old, disabled ? null : role);
+          if (refusal.isPresent()) {
+            return refusal.get();
           }
           if (!AccountTable.updateUnchanged(
               handle,
@@ -179,13 +181,33 @@ public final class JdbiAccountStore implements AccountStore {
   }
 
   private static Sentence changeSentence(Account old, Role role, boolean disabled, String by) {
-    Phrase phrase = role == Role.MANAGER ? Phrase.USER_MADE_MANAGER : Phrase.USER_MADE_CLERK;
+    Phrase phrase =
+        switch (role) {
+          case CLERK -> Phrase.USER_MADE_CLERK;
+          case MANAGER -> Phrase.USER_MADE_MANAGER;
+          case ADMINISTRATOR -> Phrase.USER_MADE_ADMINISTRATOR;
+        };
     Sentence made = phrase.with(by, old.name());
     return disabled ? Phrase.WHO_MAY_NOT_LOG_IN.with(made) : made;
   }
 
-  private static boolean isLastManager(Handle handle, Account account) {
-    return account.isManager() && !account.disabled() && managerCount(handle) == 1;
+  /**
+   * @param next what he may do then; null: he can sign in no more
+   */
+  private static Optional<ChangeResult> refusalToLose(
+      Handle handle, Account account, @Nullable Role next) {
+    if (account.disabled()) {
+      return Optional.empty();
+    }
+    boolean staysManager = next != null && next.isManager();
+    if (account.isManager() && !staysManager && managerCount(handle) == 1) {
+      return Optional.of(ChangeResult.LAST_MANAGER);
+    }
+    return account.isAdministrator()
+            && next != Role.ADMINISTRATOR
+            && count(handle, "role = 'ADMINISTRATOR'") == 1
+        ? Optional.of(ChangeResult.LAST_ADMINISTRATOR)
+        : Optional.empty();
   }
 
   @Override
@@ -263,8 +285,13 @@ public final class JdbiAccountStore implements AccountStore {
   }
 
   private static int managerCount(Handle handle) {
+    return count(handle, "role <> 'CLERK'");
+  }
+
+  /** Of those who can sign in. */
+  private static int count(Handle handle, String condition) {
     return handle
-        .createQuery("select count(*) from users where role = 'MANAGER' and not disabled")
+        .createQuery("select count(*) from users where not disabled and " + condition)
         .mapTo(Integer.class)
         .one();
   }

@@ -9,6 +9,7 @@ import org.jdbi.v3.core.Jdbi;
 import org.toqa.accounts.Account;
 import org.toqa.accounts.PasswordResetStore;
 import org.toqa.accounts.Secret;
+import org.toqa.accounts.Site;
 import org.toqa.fleet.EventKind;
 import org.toqa.wording.Phrase;
 
@@ -20,14 +21,20 @@ public final class JdbiPasswordResetStore implements PasswordResetStore {
   private final SqlExecutor sql;
   private final InstantSource clock;
 
-  public JdbiPasswordResetStore(Jdbi jdbi, InstantSource clock) {
+  private final Site site;
+
+  /**
+   * @param site which the secrets name
+   */
+  public JdbiPasswordResetStore(Jdbi jdbi, InstantSource clock, Site site) {
     this.sql = new SqlExecutor(jdbi);
     this.clock = clock;
+    this.site = site;
   }
 
   @Override
   public String issue(Account user, Duration life, String by) {
-    String secret = Secret.random();
+    String secret = Secret.random(site.id());
     Instant now = clock.instant();
     return sql.inTransaction(
         handle -> {

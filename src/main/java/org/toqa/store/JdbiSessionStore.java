@@ -21,6 +21,7 @@ import org.toqa.accounts.Session.Carrier;
 import org.toqa.accounts.Session.Kind;
 import org.toqa.accounts.Session.Origin;
 import org.toqa.accounts.SessionStore;
+import org.toqa.accounts.Site;
 import org.toqa.fleet.EventKind;
 import org.toqa.wording.Phrase;
 
@@ -42,17 +43,20 @@ public final class JdbiSessionStore implements SessionStore {
   private final InstantSource clock;
   private final Duration limit;
   private final int perUser;
+  private final Site site;
   private final FallbackCache<String, AuthenticatedSession> lastKnown = new FallbackCache<>();
 
   /**
    * @param limit how long after its begin a login ends for good, in whatever use it is
    * @param perUser how many logins of each kind, and tokens, one user has at most
+   * @param site which the secrets name
    */
-  public JdbiSessionStore(Jdbi jdbi, InstantSource clock, Duration limit, int perUser) {
+  public JdbiSessionStore(Jdbi jdbi, InstantSource clock, Duration limit, int perUser, Site site) {
     this.sql = new SqlExecutor(jdbi);
     this.clock = clock;
     this.limit = limit;
     this.perUser = perUser;
+    this.site = site;
   }
 
   @Override
@@ -239,7 +243,7 @@ public final class JdbiSessionStore implements SessionStore {
       Origin origin,
       Duration life) {
     Instant now = clock.instant().truncatedTo(ChronoUnit.MILLIS);
-    String secret = Secret.random();
+    String secret = Secret.random(site.id());
     handle.execute("delete from sessions where expires_at <= ?", now);
     long id =
         handle

@@ -17,9 +17,6 @@ import org.toqa.mission.TaskState;
  * @param openTasks how many of its tasks have not ended
  */
 public record FloorSummary(String name, String site, State state, int robots, int openTasks) {
-  /** What the first site is called. */
-  private static final String FIRST_SITE = "main";
-
   /** Whether its robots drive. */
   public enum State {
     READY,
@@ -31,20 +28,20 @@ public record FloorSummary(String name, String site, State state, int robots, in
 
   /** All floors, the first one the default. */
   public static List<FloorSummary> all(Services services) {
-    Fleet fleet = services.fleet();
-    return fleet.floors().stream().map(floor -> of(floor, fleet)).toList();
+    return services.fleet().floors().stream().map(floor -> of(floor, services)).toList();
   }
 
   public static Optional<FloorSummary> of(Services services, String name) {
     return all(services).stream().filter(floor -> floor.name().equals(name)).findFirst();
   }
 
-  public static FloorSummary of(FloorMap floor, Fleet fleet) {
+  public static FloorSummary of(FloorMap floor, Services services) {
+    Fleet fleet = services.fleet();
     String name = floor.name();
     Optional<FleetSnapshot> now = fleet.snapshots(name).map(SnapshotFeed::latest);
     return new FloorSummary(
         name,
-        FIRST_SITE,
+        services.site().name(),
         state(name, now, fleet),
         now.map(snapshot -> snapshot.robots().size()).orElse(0),
         now.map(FloorSummary::openTasks).orElse(0));

@@ -74,6 +74,10 @@ public final class Metrics implements AutoCloseable {
         Counter.builder("toqa.http.too.fast")
             .description("Requests that were refused because their caller asked too fast")
             .register(registry);
+  }
+
+  /** From now on it is also told how the process does. */
+  public void bindProcess() {
     new JvmMemoryMetrics().bindTo(registry);
     new JvmThreadMetrics().bindTo(registry);
     new ProcessorMetrics().bindTo(registry);

@@ -1,13 +1,14 @@
 package org.toqa.web;
 
-import jakarta.servlet.ServletContext;
+import jakarta.servlet.ServletRequest;
 import java.time.InstantSource;
-import java.util.Objects;
+import org.jspecify.annotations.Nullable;
 import org.toqa.accounts.AccountStore;
 import org.toqa.accounts.Authenticator;
 import org.toqa.accounts.FirstStartCode;
 import org.toqa.accounts.PasswordHasher;
 import org.toqa.accounts.SessionStore;
+import org.toqa.accounts.Site;
 import org.toqa.fleet.Fleet;
 import org.toqa.fleet.OrderArchive;
 import org.toqa.fleet.ScheduleStore;
@@ -17,8 +18,13 @@ import org.toqa.fleet.history.EventArchive;
 import org.toqa.fleet.history.StatisticsArchive;
 import org.toqa.fleet.history.TrackStore;
 
-/** What the web application uses. Whoever starts it puts this into the servlet context. */
+/**
+ * What the web application uses of one site.
+ *
+ * @param site whose fleet and users these are
+ */
 public record Services(
+    Site site,
     Fleet fleet,
     TaskArchive archive,
     OrderArchive orders,
@@ -40,12 +46,17 @@ public record Services(
     AllowedHosts allowedHosts,
     FirstStartCode firstStartCode) {
 
-  /** The servlet context's attribute that holds the services. */
-  public static final String ATTRIBUTE = Services.class.getName();
+  /** The attribute of a request that holds those of the site that it concerns. */
+  private static final String ATTRIBUTE = Services.class.getName();
 
-  public static Services of(ServletContext context) {
-    return (Services)
-        Objects.requireNonNull(
-            context.getAttribute(ATTRIBUTE), "The services are not in the servlet context.");
+  /** Of the site that the request concerns: its caller's, or the one that he looks at. */
+  public static Services of(ServletRequest request) {
+    Services chosen = (@Nullable Services) request.getAttribute(ATTRIBUTE);
+    return chosen == null ? Sites.of(request.getServletContext()).first() : chosen;
+  }
+
+  /** From now on the request concerns this site. */
+  public void storeIn(ServletRequest request) {
+    request.setAttribute(ATTRIBUTE, this);
   }
 }

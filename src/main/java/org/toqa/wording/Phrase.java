@@ -449,6 +449,7 @@ public enum Phrase {
   USER_DELETED,
   USER_MADE_CLERK,
   USER_MADE_MANAGER,
+  USER_MADE_ADMINISTRATOR,
   WHO_MAY_NOT_LOG_IN,
   PASSWORD_CHANGED,
   PASSWORD_REPLACED,
@@ -456,7 +457,19 @@ public enum Phrase {
   EMAIL_CHANGED,
   TOKEN_MADE,
   TOKEN_HANDED_OVER,
-  SESSION_ENDED;
+  SESSION_ENDED,
+
+  // What happened to a site
+  SITE_ADDED,
+  SITE_REMOVED,
+
+  // What cannot be done with a site
+  NO_SUCH_SITE,
+  SITE_EXISTS,
+  SITE_CANNOT_START,
+  FIRST_SITE_STAYS,
+  SITE_HAS_ROBOTS,
+  SITE_HAS_TASKS;
 
   /**
    * @param values texts, numbers and sentences for its places, in their order

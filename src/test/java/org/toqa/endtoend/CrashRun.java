@@ -293,10 +293,12 @@ final class CrashRun {
     }
   }
 
-  private boolean isStandingWithoutReason(JsonNode task) {
+  /** What ails the whole fleet, such as a database that is away, is said on every page. */
+  private boolean isStandingWithoutReason(JsonNode task) throws Exception {
     List<String> robots = task.get("robots").valueStream().map(JsonNode::asString).toList();
     return task.get("waitingFor").isNull()
         && task.get("needs").isNull()
+        && site.server.api().tryToGet("health").isPresent()
         && site.truth().haveStood(robots.isEmpty() ? site.robots() : robots, STEPS_OF_STANDING);
   }
 

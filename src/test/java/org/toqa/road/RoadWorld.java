@@ -152,6 +152,7 @@ final class RoadWorld {
         usual.sessionLimit(),
         usual.data(),
         usual.maps(),
+        usual.shippedMap(),
         usual.database(),
         usual.allocationPolicy(),
         usual.simulatedRobots(),

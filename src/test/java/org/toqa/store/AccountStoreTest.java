@@ -26,9 +26,11 @@ import org.toqa.accounts.Session;
 import org.toqa.accounts.Session.Carrier;
 import org.toqa.accounts.Session.Kind;
 import org.toqa.accounts.SessionStore;
+import org.toqa.accounts.Site;
 import org.toqa.fleet.history.EventArchive.Filter;
 
 class AccountStoreTest {
+  private static final Site SITE = new Site(Site.FIRST_ID, "main");
   private static final Instant START = Instant.parse("2026-11-21T08:00:00.123Z");
 
   private static final Session.Origin ORIGIN = new Session.Origin("10.0.0.7", "a browser");
@@ -51,8 +53,8 @@ class AccountStoreTest {
     jdbi = Jdbi.create(url, "sa", "");
     DatabaseTypes.register(jdbi);
     accounts = new JdbiAccountStore(jdbi, () -> now);
-    sessions = new JdbiSessionStore(jdbi, () -> now, LIMIT, PER_USER);
-    resets = new JdbiPasswordResetStore(jdbi, () -> now);
+    sessions = new JdbiSessionStore(jdbi, () -> now, LIMIT, PER_USER, SITE);
+    resets = new JdbiPasswordResetStore(jdbi, () -> now, SITE);
   }
 
   @Test
@@ -202,7 +204,8 @@ class AccountStoreTest {
         Set.of(Scope.TASKS),
         sessions.authenticate(Carrier.BEARER, token).orElseThrow().session().scopes());
     // a shorter limit holds for what began before it too
-    SessionStore shorter = new JdbiSessionStore(jdbi, () -> now, Duration.ofHours(1), PER_USER);
+    SessionStore shorter =
+        new JdbiSessionStore(jdbi, () -> now, Duration.ofHours(1), PER_USER, SITE);
     String second = sessions.begin(ada, Kind.BROWSER, ORIGIN).secret();
     now = now.plus(Duration.ofHours(2));
     assertTrue(sessions.find(Carrier.COOKIE, second).isPresent());

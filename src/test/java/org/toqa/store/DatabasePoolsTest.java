@@ -18,6 +18,7 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.toqa.accounts.Session;
+import org.toqa.accounts.Site;
 import org.toqa.fleet.FleetStore.Submission;
 import org.toqa.persistence.StoreException;
 
@@ -129,6 +130,10 @@ class DatabasePoolsTest extends FleetDatabaseTest {
 
   private JdbiSessionStore sessions() {
     return new JdbiSessionStore(
-        database.sessions(), InstantSource.system(), Duration.ofDays(1), 50);
+        database.sessions(),
+        InstantSource.system(),
+        Duration.ofDays(1),
+        50,
+        new Site(Site.FIRST_ID, "main"));
   }
 }

@@ -29,10 +29,13 @@ import org.toqa.accounts.Account;
 import org.toqa.accounts.AccountStore;
 import org.toqa.accounts.Authenticator;
 import org.toqa.accounts.FirstStartCode;
+import org.toqa.accounts.LoginThrottle;
 import org.toqa.accounts.PasswordHasher;
 import org.toqa.accounts.Role;
 import org.toqa.accounts.SessionStore;
+import org.toqa.accounts.Site;
 import org.toqa.fleet.EventRecord;
+import org.toqa.fleet.SnapshotFeed;
 import org.toqa.store.Database;
 import org.toqa.store.JdbiAccountStore;
 import org.toqa.store.JdbiEventArchive;
@@ -49,6 +52,7 @@ import org.toqa.testbed.RealMySql;
 
 /** The shipped web application in an embedded Tomcat, over a fleet in memory. */
 public final class WebTestServer implements AutoCloseable {
+  private static final Site SITE = new Site(Site.FIRST_ID, "main");
   public static final String CLERK = "Clara";
   public static final String MANAGER = "Max";
   public static final String PASSWORD = "a long enough password";
@@ -196,17 +200,22 @@ public final class WebTestServer implements AutoCloseable {
     database.sessions().setSqlLogger(new QueryCounter());
     SessionStore sessions =
         new JdbiSessionStore(
-            database.sessions(), InstantSource.system(), Duration.ofDays(7), SESSIONS_PER_USER);
+            database.sessions(),
+            InstantSource.system(),
+            Duration.ofDays(7),
+            SESSIONS_PER_USER,
+            SITE);
     PasswordLinks links =
         new PasswordLinks(
             accounts,
-            new JdbiPasswordResetStore(jdbi, InstantSource.system()),
+            new JdbiPasswordResetStore(jdbi, InstantSource.system(), SITE),
             mailbox,
             InstantSource.system());
     tracks = new JdbiTrackStore(jdbi);
     uses = new JdbiUtilisationStore(jdbi);
     Services services =
         new Services(
+            SITE,
             fleet,
             fleet,
             fleet,
@@ -219,17 +228,23 @@ public final class WebTestServer implements AutoCloseable {
             sessions,
             links,
             PASSWORDS,
-            new Metrics(fleet.snapshots()),
+            metrics(fleet.snapshots()),
             limit,
             ConcurrencyLimits.of(1000, STREAMS_PER_USER, STREAMS_PER_ADDRESS, 8192),
             InstantSource.system(),
-            Authenticator.of(accounts, PASSWORDS, InstantSource.system()),
+            new Authenticator(accounts, PASSWORDS, new LoginThrottle(InstantSource.system()), SITE),
             new IdempotentSubmitter(fleet, fleet, fleet),
             new AllowedHosts(Set.of("toqa.example.org")),
             firstStartCode);
     store = new JdbiFleetStore(jdbi);
     baseDir = Files.createTempDirectory("toqa-web-test");
     startTomcat(port, services);
+  }
+
+  private static Metrics metrics(SnapshotFeed snapshots) {
+    Metrics metrics = new Metrics(snapshots);
+    metrics.bindProcess();
+    return metrics;
   }
 
   private void startTomcat(int port, Services services) throws LifecycleException {
@@ -247,7 +262,8 @@ public final class WebTestServer implements AutoCloseable {
     filter.setTldScan("jakarta.servlet.jsp.jstl-*.jar");
     ((StandardJarScanner) context.getJarScanner()).setJarScanFilter(filter);
     context.addServletContainerInitializer(
-        (classes, servletContext) -> servletContext.setAttribute(Services.ATTRIBUTE, services),
+        (classes, servletContext) ->
+            servletContext.setAttribute(Sites.ATTRIBUTE, new OneSite(services)),
         null);
     tomcat.start();
   }

@@ -24,6 +24,7 @@ import org.toqa.grid.Margins;
  * @param sessionLimit how long after its begin a login ends for good
  * @param data the folder for what the server keeps
  * @param maps of the floors that a server without floors begins with, the first one the default
+ * @param shippedMap with which sites beside the first one begin
  * @param allocationPolicy who decides which robots carry what
  * @param simulatedRobots how many simulated robots, floor by floor
  * @param simulatedBatteries charge of new simulated robots as a share of a full battery, 0 to 1,
@@ -53,6 +54,7 @@ public record Configuration(
     Duration sessionLimit,
     Path data,
     List<Path> maps,
+    Path shippedMap,
     DatabaseSettings database,
     Policy allocationPolicy,
     List<Integer> simulatedRobots,
@@ -71,6 +73,46 @@ public record Configuration(
     @Nullable GatewaySettings gateways,
     Level logLevel,
     LogFormat logFormat) {
+
+  /**
+   * The same for a site beside the first one: with data, a database and first floors of its own;
+   * without what is of the whole server or of the first site alone.
+   *
+   * @param data the folder for what that site keeps
+   * @param database that site's
+   */
+  public Configuration ofSite(Path data, DatabaseSettings database) {
+    return new Configuration(
+        address,
+        port,
+        hosts,
+        tls,
+        proxy,
+        requestsPerSecond,
+        limits,
+        sessionLimit,
+        data,
+        List.of(shippedMap),
+        shippedMap,
+        database,
+        allocationPolicy,
+        List.of(),
+        simulatedBatteries,
+        null,
+        widestRobot,
+        margins,
+        reassignAfter,
+        charging,
+        1,
+        trackRetention,
+        historyRetention,
+        null,
+        mailServer,
+        plainLinks,
+        null,
+        logLevel,
+        logFormat);
+  }
 
   /** Whether any robots are simulated. */
   public boolean isSimulated() {
@@ -104,6 +146,11 @@ public record Configuration(
    * @param url JDBC
    */
   public record DatabaseSettings(String url, @Nullable String user, @Nullable String password) {
+    /** The same user's database at another address. */
+    public DatabaseSettings at(String other) {
+      return new DatabaseSettings(other, user, password);
+    }
+
     @Override
     public String toString() {
       return "Database[" + url + "]";
@@ -116,7 +163,7 @@ public record Configuration(
   /**
    * @param port TCP port
    * @param from an e-mail address
-   * @param site the address of the pages, for links in e-mail; without a slash at its end
+   * @param url the address of the pages, for links in e-mail; without a slash at its end
    */
   public record MailServer(
       String host,
@@ -125,7 +172,7 @@ public record Configuration(
       @Nullable String user,
       @Nullable String password,
       String from,
-      String site) {
+      String url) {
     @Override
     public String toString() {
       return "MailServer[" + host + ":" + port + "]";

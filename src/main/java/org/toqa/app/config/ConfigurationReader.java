@@ -41,7 +41,7 @@ import org.toqa.store.Database;
  * @param layers the first one that gives a setting decides
  */
 record ConfigurationReader(List<SettingSource> layers) {
-  private static final String SITE = "https?://[^\\s/?#]+(/[^\\s?#]*)?";
+  private static final String URL = "https?://[^\\s/?#]+(/[^\\s?#]*)?";
 
   /**
    * @param shippedMap the floor's map where none is configured
@@ -68,6 +68,7 @@ record ConfigurationReader(List<SettingSource> layers) {
         Duration.ofHours(wholeNumber(Setting.SESSION_HOURS)),
         data,
         maps(shippedMap),
+        shippedMap,
         database(data),
         allocationPolicy(),
         simulate,
@@ -157,7 +158,7 @@ record ConfigurationReader(List<SettingSource> layers) {
         .orElseThrow(() -> outOfRange(Setting.GATEWAYS_TRUSTED));
   }
 
-  /** With those that {@link Setting#ADDRESS} and {@link Setting#SITE} name. */
+  /** With those that {@link Setting#ADDRESS} and {@link Setting#URL} name. */
   private Set<String> hosts() throws ConfigurationException {
     Set<String> hosts = new TreeSet<>();
     hosts.add(text(Setting.ADDRESS).strip());
@@ -167,9 +168,9 @@ record ConfigurationReader(List<SettingSource> layers) {
       }
       hosts.add(name.strip());
     }
-    String site = text(Setting.SITE).strip();
-    if (!site.isEmpty()) {
-      String host = URI.create(matching(Setting.SITE, SITE)).getHost();
+    String url = text(Setting.URL).strip();
+    if (!url.isEmpty()) {
+      String host = URI.create(matching(Setting.URL, URL)).getHost();
       hosts.add(host == null ? "" : host);
     }
     hosts.remove("");
@@ -359,7 +360,7 @@ record ConfigurationReader(List<SettingSource> layers) {
         nullIfEmpty(text(Setting.MAIL_USER)),
         nullIfEmpty(text(Setting.MAIL_PASSWORD)),
         matching(Setting.MAIL_FROM, "[^\\s@<>,;]+@[^\\s@<>,;]+"),
-        matching(Setting.SITE, SITE).replaceFirst("/+$", ""));
+        matching(Setting.URL, URL).replaceFirst("/+$", ""));
   }
 
   private MailSecurity mailSecurity() throws ConfigurationException {

@@ -57,8 +57,7 @@ public enum Setting {
       "manager",
       "",
       "name:password of the first manager, or name: and the password's Argon2id hash"),
-  SITE(
-      "site", "", "the address of the pages as browsers have it, such as https://toqa.example.org"),
+  URL("url", "", "the address of the pages as browsers have it, such as https://toqa.example.org"),
   MAIL_HOST("mail.host", "", "the host name of a mail server (SMTP)"),
   MAIL_PORT("mail.port", "587", new WholeNumber(1, 65_535)),
   MAIL_SECURITY("mail.security", "starttls", new Choice("starttls", "tls", "none")),
@@ -96,6 +95,16 @@ public enum Setting {
   /** The value where nobody gives one; empty: see {@link Configuration}. */
   String defaultValue() {
     return defaultValue;
+  }
+
+  /** What the setting of that old key is now. */
+  static Optional<Setting> byOldKey(String key) {
+    return key.equals("site") ? Optional.of(URL) : Optional.empty();
+  }
+
+  /** What the setting of that old environment variable is now. */
+  static Optional<Setting> byOldEnvironmentVariable(String name) {
+    return name.equals("TOQA_SITE") ? Optional.of(URL) : Optional.empty();
   }
 
   /** What the value may be. */

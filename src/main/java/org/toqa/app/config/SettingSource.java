@@ -33,10 +33,14 @@ public final class SettingSource {
 
   private final Map<Setting, Value> values = new EnumMap<>(Setting.class);
 
+  /** By names that they had once, for where the new name gives none. */
+  private final Map<Setting, Value> old = new EnumMap<>(Setting.class);
+
   private SettingSource() {}
 
   @Nullable Value value(Setting setting) {
-    return values.get(setting);
+    Value value = values.get(setting);
+    return value == null ? old.get(setting) : value;
   }
 
   /** From options; those that were not given are null. */
@@ -66,8 +70,11 @@ public final class SettingSource {
     for (Map.Entry<String, String> entry : environment.entrySet()) {
       String variable = entry.getKey();
       Setting setting = known.get(variable);
+      Value value = new Value(entry.getValue(), variable, Path.of(""));
       if (setting != null) {
-        layer.values.put(setting, new Value(entry.getValue(), variable, Path.of("")));
+        layer.values.put(setting, value);
+      } else if (Setting.byOldEnvironmentVariable(variable).isPresent()) {
+        layer.old.put(Setting.byOldEnvironmentVariable(variable).get(), value);
       } else if (variable.startsWith(PREFIX) && !variable.equals(FILE_ENVIRONMENT_VARIABLE)) {
         Spelling.Suggestion nearest = Spelling.nearest(variable, known.keySet());
         if (nearest.distance() <= MAX_TYPO_DISTANCE) {
@@ -126,6 +133,7 @@ public final class SettingSource {
       }
       Setting setting =
           Setting.byKey(key)
+              .or(() -> Setting.byOldKey(key))
               .orElseThrow(() -> new ConfigurationException(unknownKeyMessage(file, key)));
       Object value = entry.getValue();
       if (value == null || value instanceof Map || value instanceof Iterable) {
@@ -133,7 +141,8 @@ public final class SettingSource {
             file + ": " + key + " needs one value, " + setting.allowedValues() + ".");
       }
       Path folder = file.toAbsolutePath().getParent();
-      values.put(
+      Map<Setting, Value> into = setting.key().equals(key) ? values : old;
+      into.put(
           setting,
           new Value(value.toString(), key + " in " + file, folder == null ? Path.of("") : folder));
     }

@@ -1,6 +1,5 @@
 package org.toqa.app.server;
 
-import com.github.benmanes.caffeine.cache.Ticker;
 import java.io.IOException;
 import java.time.Duration;
 import java.time.InstantSource;
@@ -20,10 +19,13 @@ import org.toqa.accounts.Authenticator;
 import org.toqa.accounts.FirstStartCode;
 import org.toqa.accounts.PasswordHasher;
 import org.toqa.accounts.SessionStore;
+import org.toqa.accounts.Site;
+import org.toqa.accounts.SiteStore;
 import org.toqa.app.config.Configuration;
 import org.toqa.fleet.Fleet;
 import org.toqa.fleet.FleetRules;
 import org.toqa.fleet.PeriodicWork;
+import org.toqa.fleet.SnapshotFeed;
 import org.toqa.fleet.history.TrackRecorder;
 import org.toqa.fleet.history.UtilisationRecorder;
 import org.toqa.fleet.manager.AgentFleet;
@@ -47,22 +49,20 @@ import org.toqa.store.JdbiPasswordResetStore;
 import org.toqa.store.JdbiScheduleStore;
 import org.toqa.store.JdbiServerRuns;
 import org.toqa.store.JdbiSessionStore;
+import org.toqa.store.JdbiSiteStore;
 import org.toqa.store.JdbiStatisticsArchive;
 import org.toqa.store.JdbiTaskTraces;
 import org.toqa.store.JdbiTrackStore;
 import org.toqa.store.JdbiUtilisationStore;
-import org.toqa.web.AllowedHosts;
-import org.toqa.web.ConcurrencyLimits;
 import org.toqa.web.IdempotentSubmitter;
 import org.toqa.web.Metrics;
 import org.toqa.web.PasswordLinks;
-import org.toqa.web.RequestLimit;
 import org.toqa.web.Services;
 import org.toqa.wording.Phrase;
 
 /**
- * Everything behind the web pages: store, fleet and simulated robots. It has one owner, the command
- * that started it or, on a stock Tomcat, {@link ToqaContextListener}.
+ * Everything behind the web pages of one site: store, fleet and simulated robots. It has one owner,
+ * the server's {@link SiteServers}.
  *
  * <p>Started in order: database, first manager, floors, simulated robots, fleet, time, records.
  * Closed in the reverse order.
@@ -70,6 +70,10 @@ import org.toqa.wording.Phrase;
 public final class FleetServer implements AutoCloseable {
   private static final Logger log = LoggerFactory.getLogger(FleetServer.class);
   private static final Duration FLEET_TICK = Duration.ofMillis(100);
+
+  /** A floor that takes longer does not hold up the others. */
+  private static final Duration FIRST_SNAPSHOT_LIMIT = Duration.ofSeconds(5);
+
   private static final String NONE_SIMULATED = "No robots are simulated.";
   private static final Duration SCHEDULE_PERIOD = Duration.ofSeconds(1);
 
@@ -112,15 +116,11 @@ public final class FleetServer implements AutoCloseable {
    * @throws IOException the map or the database cannot be used, or a robot cannot be simulated; the
    *     message says what to do
    */
-  static FleetServer start(Configuration configuration) throws IOException {
-    return start(configuration, new PasswordHasher());
-  }
-
-  static FleetServer start(Configuration configuration, PasswordHasher passwords)
+  static FleetServer start(Site site, Configuration configuration, SharedParts shared)
       throws IOException {
     Deque<AutoCloseable> parts = new ArrayDeque<>();
     try {
-      return start(configuration, passwords, parts);
+      return start(site, configuration, shared, parts);
     } catch (IOException | RuntimeException e) {
       close(parts);
       throw e;
@@ -128,18 +128,18 @@ public final class FleetServer implements AutoCloseable {
   }
 
   private static FleetServer start(
-      Configuration configuration, PasswordHasher passwords, Deque<AutoCloseable> parts)
+      Site site, Configuration configuration, SharedParts shared, Deque<AutoCloseable> parts)
       throws IOException {
     PrivateFolder.create(configuration.data());
     Database database = openDatabase(configuration.database());
     parts.push(database);
     JdbiFleetStore store = new JdbiFleetStore(database.jdbi());
-    InstantSource wallClock = InstantSource.system();
+    InstantSource wallClock = shared.clock();
     JdbiServerRuns runs = new JdbiServerRuns(database.jdbi());
     runs.begin(wallClock.instant());
     parts.push(() -> runs.end(wallClock.instant()));
     AccountStore accounts = new JdbiAccountStore(database.sessions(), wallClock);
-    addFirstManager(configuration, accounts, passwords);
+    addFirstManager(configuration, accounts, shared.passwords());
 
     JdbiFloorStore floorStore = new JdbiFloorStore(database.jdbi(), configuration.margins());
     List<FloorMap> floors = FirstFloors.of(configuration, floorStore, wallClock.instant());
@@ -150,6 +150,7 @@ public final class FleetServer implements AutoCloseable {
             : null;
     if (simulated != null) {
       parts.push(simulated);
+      shared.simulated().set(simulated);
     }
     JdbiScheduleStore schedules = new JdbiScheduleStore(database.jdbi());
     AgentFleet fleet =
@@ -157,7 +158,7 @@ public final class FleetServer implements AutoCloseable {
             floorStore,
             store,
             schedules,
-            ServerLinks.open(configuration, simulated, clock, parts),
+            ServerLinks.open(site, configuration, shared, clock, parts),
             configuration.allocationPolicy().method(),
             new FleetRules(
                 configuration.reassignAfter(),
@@ -175,6 +176,7 @@ public final class FleetServer implements AutoCloseable {
     }
     clock.start();
     parts.push(clock);
+    awaitFirstSnapshots(fleet);
     fleet.addCheck(
         () -> clock.isSound() ? Optional.empty() : Optional.of(Phrase.CLOCK_STANDS.with()));
     fleet.addCheck(
@@ -188,15 +190,19 @@ public final class FleetServer implements AutoCloseable {
             database.sessions(),
             wallClock,
             configuration.sessionLimit(),
-            configuration.limits().sessionsPerUser());
+            configuration.limits().sessionsPerUser(),
+            site);
     PasswordLinks passwordLinks =
         new PasswordLinks(
             accounts,
-            new JdbiPasswordResetStore(database.sessions(), wallClock),
+            new JdbiPasswordResetStore(database.sessions(), wallClock, site),
             configuration.mailServer() == null ? null : new SmtpMail(configuration.mailServer()),
             wallClock);
     Metrics metrics = new Metrics(fleet.snapshots());
     parts.push(metrics);
+    if (site.isFirst()) { // what the process does would tell of the other sites
+      metrics.bindProcess();
+    }
     database.bindMetrics(metrics.registry());
     metrics.bindPassedOver(fleet::passedOver);
     Scheduler scheduler = new Scheduler(schedules, store, fleet, wallClock);
@@ -220,6 +226,7 @@ public final class FleetServer implements AutoCloseable {
     fleet.addWarning(retention::warning);
     Services services =
         new Services(
+            site,
             fleet,
             new JdbiFleetStore(database.readers()),
             new JdbiOrderArchive(database.readers()),
@@ -231,16 +238,15 @@ public final class FleetServer implements AutoCloseable {
             accounts,
             sessions,
             passwordLinks,
-            passwords,
+            shared.passwords(),
             metrics,
-            new RequestLimit(configuration.requestsPerSecond(), Ticker.systemTicker()),
-            concurrency(configuration.limits()),
+            shared.requestLimit(),
+            shared.concurrency(),
             wallClock,
-            Authenticator.of(
-                accounts, passwords, new SteadyClock(wallClock.instant(), System::nanoTime)),
+            new Authenticator(accounts, shared.passwords(), shared.throttle(), site),
             new IdempotentSubmitter(fleet, store, new JdbiOrderArchive(database.jdbi())),
-            new AllowedHosts(configuration.hosts()),
-            firstStartCode(accounts));
+            shared.hosts(),
+            firstStartCode(site, accounts));
     TrueBodies bodies =
         simulated == null ? null : new TrueBodies(simulated, fleet.snapshots()::latest);
     CompletionStage<String> failed =
@@ -259,12 +265,19 @@ public final class FleetServer implements AutoCloseable {
         configuration, database, clock, services, bodies, simulated, failed, parts);
   }
 
-  private static ConcurrencyLimits concurrency(Configuration.Limits limits) {
-    return ConcurrencyLimits.of(
-        limits.requestsAtOnce(),
-        limits.streamsPerUser(),
-        limits.streamsPerAddress(),
-        limits.connections());
+  /** So that nobody who asks right after the start is told that there is nothing. */
+  private static void awaitFirstSnapshots(Fleet fleet) throws IOException {
+    try {
+      for (FloorMap floor : fleet.floors()) {
+        Optional<SnapshotFeed> feed = fleet.snapshots(floor.name());
+        if (feed.isPresent()) {
+          feed.get().awaitNewer(0, FIRST_SNAPSHOT_LIMIT);
+        }
+      }
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+      throw new IOException("The start was interrupted.", e);
+    }
   }
 
   private static Database openDatabase(Configuration.DatabaseSettings settings) throws IOException {
@@ -306,9 +319,9 @@ public final class FleetServer implements AutoCloseable {
   }
 
   /** Prints it, as long as there is no manager. */
-  private static FirstStartCode firstStartCode(AccountStore accounts) {
+  private static FirstStartCode firstStartCode(Site site, AccountStore accounts) {
     FirstStartCode code = FirstStartCode.random();
-    if (!accounts.hasManager()) {
+    if (site.isFirst() && !accounts.hasManager()) {
       String sentence = "There is no manager yet: the first page asks for the code " + code.text();
       if (log.isWarnEnabled()) {
         log.warn(sentence);
@@ -392,6 +405,11 @@ public final class FleetServer implements AutoCloseable {
 
   Services services() {
     return services;
+  }
+
+  /** The sites that this one keeps, if it is the first. */
+  SiteStore sites() {
+    return new JdbiSiteStore(database.jdbi(), services.clock());
   }
 
   @Override

@@ -7,6 +7,7 @@ import java.util.Deque;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
+import org.toqa.accounts.Site;
 import org.toqa.app.config.Configuration;
 import org.toqa.app.config.GatewaySettings;
 import org.toqa.link.RobotLinkFactory;
@@ -15,7 +16,6 @@ import org.toqa.link.gateway.GatewayPort;
 import org.toqa.link.gateway.Gateways;
 import org.toqa.link.trust.IdentityFile;
 import org.toqa.link.trust.LinkTls;
-import org.toqa.sim.SimulatedFleet;
 import org.toqa.sim.VirtualClock;
 
 /** How this server reaches its robots. */
@@ -25,13 +25,14 @@ final class ServerLinks {
   private ServerLinks() {}
 
   /**
-   * @param simulated null: no robots are simulated
+   * @param site whose robots these are
    * @param parts gets what is to be closed
    * @throws IOException the server's key cannot be read, or gateways cannot be listened for
    */
   static RobotLinkFactory open(
+      Site site,
       Configuration configuration,
-      @Nullable SimulatedFleet simulated,
+      SharedParts shared,
       VirtualClock clock,
       Deque<AutoCloseable> parts)
       throws IOException {
@@ -42,10 +43,13 @@ final class ServerLinks {
             gateways(configuration.gateways(), tls, parts),
             configuration.plainLinks(),
             configuration.widestRobot());
-    if (simulated == null) {
+    if (!site.isFirst()) {
+      return new OtherSiteLinks(links, shared::isSimulated);
+    }
+    if (!configuration.isSimulated()) {
       return links;
     }
-    SimulatedLinks waitedFor = new SimulatedLinks(links, simulated::isListeningOn, clock::nanos);
+    SimulatedLinks waitedFor = new SimulatedLinks(links, shared::isSimulated, clock::nanos);
     clock.add(waitedFor, VirtualClock.STEP);
     return waitedFor;
   }

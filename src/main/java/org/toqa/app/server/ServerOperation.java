@@ -64,18 +64,19 @@ public interface ServerOperation {
    * and a server that cannot have its port connects to no robot. Where a part fails without which
    * the server cannot go on, the operation is asked to stop and the exit code is 1.
    *
-   * @param webapp the folder of the unpacked web application
+   * @param folder that of the unpacked web application
    * @return the exit code of the process
    * @throws Exception the server cannot start, or the operation failed; the message says why
    */
-  default int runWith(Configuration configuration, Path webapp, StopSignal stop) throws Exception {
+  default int runWith(Configuration configuration, Path folder, StopSignal stop) throws Exception {
     Logging.configure(configuration.logLevel(), configuration.logFormat());
     Logging.redirectTomcatLog();
-    try (WebServer web = WebServer.bind(webapp, configuration);
-        FleetServer toqa = FleetServer.start(configuration);
-        WebServer.RunningWebapp site = web.open(toqa)) {
+    try (WebServer web = WebServer.bind(folder, configuration);
+        SiteServers sites = SiteServers.start(configuration);
+        WebServer.RunningWebapp webapp = web.open(sites)) {
+      FleetServer toqa = sites.firstServer();
       var _ = toqa.whenFailed().thenAccept(stop::fail);
-      int code = run(toqa, site.uri(), stop);
+      int code = run(toqa, webapp.uri(), stop);
       return stop.hasFailed() ? 1 : code;
     }
   }

@@ -29,7 +29,7 @@ final class SmtpMail implements MailSender {
 
   @Override
   public String baseUrl() {
-    return server.site();
+    return server.url();
   }
 
   @Override

@@ -20,7 +20,7 @@ import org.toqa.app.config.Configuration;
 import org.toqa.app.config.ConfigurationException;
 import org.toqa.app.config.Setting;
 import org.toqa.app.config.SettingSource;
-import org.toqa.web.Services;
+import org.toqa.web.Sites;
 
 /**
  * Starts and stops the server with its web application on a stock Tomcat, configured by the
@@ -31,7 +31,7 @@ public final class ToqaContextListener implements ServletContextListener {
 
   private static final String FILE_PROPERTY = "toqa.config";
 
-  private @Nullable FleetServer ownServer;
+  private @Nullable SiteServers ownSites;
 
   /**
    * @throws IllegalStateException the server cannot start; the message says why
@@ -39,14 +39,14 @@ public final class ToqaContextListener implements ServletContextListener {
   @Override
   public void contextInitialized(ServletContextEvent event) {
     ServletContext context = event.getServletContext();
-    if (context.getAttribute(Services.ATTRIBUTE) != null) {
+    if (context.getAttribute(Sites.ATTRIBUTE) != null) {
       return;
     }
     try {
       Configuration configuration = configuration(context);
       Logging.configure(configuration.logLevel(), configuration.logFormat());
-      ownServer = FleetServer.start(configuration);
-      context.setAttribute(Services.ATTRIBUTE, ownServer.services());
+      ownSites = SiteServers.start(configuration);
+      context.setAttribute(Sites.ATTRIBUTE, ownSites);
       trustProxy(context, configuration.proxy());
     } catch (ConfigurationException | IOException e) {
       // The container shows the message in its log, and does not serve the application.
@@ -56,10 +56,10 @@ public final class ToqaContextListener implements ServletContextListener {
 
   @Override
   public void contextDestroyed(ServletContextEvent event) {
-    if (ownServer != null) {
-      event.getServletContext().removeAttribute(Services.ATTRIBUTE);
-      ownServer.close();
-      ownServer = null;
+    if (ownSites != null) {
+      event.getServletContext().removeAttribute(Sites.ATTRIBUTE);
+      ownSites.close();
+      ownSites = null;
     }
   }
 

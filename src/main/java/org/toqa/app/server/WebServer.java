@@ -20,7 +20,7 @@ import org.apache.tomcat.util.scan.StandardJarScanFilter;
 import org.apache.tomcat.util.scan.StandardJarScanner;
 import org.jspecify.annotations.Nullable;
 import org.toqa.app.config.Configuration;
-import org.toqa.web.Services;
+import org.toqa.web.Sites;
 
 /**
  * The embedded Tomcat with the one web application.
@@ -166,8 +166,8 @@ final class WebServer implements AutoCloseable {
    *
    * @throws IOException the web application cannot start
    */
-  RunningWebapp open(FleetServer toqa) throws IOException {
-    context.getServletContext().setAttribute(Services.ATTRIBUTE, toqa.services());
+  RunningWebapp open(Sites sites) throws IOException {
+    context.getServletContext().setAttribute(Sites.ATTRIBUTE, sites);
     try {
       tomcat.start();
     } catch (LifecycleException e) {

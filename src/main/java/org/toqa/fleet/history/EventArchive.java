@@ -34,6 +34,7 @@ public interface EventArchive {
    * @param from the first moment
    * @param until the first moment after it
    * @param users whether what managers did with users is wanted too
+   * @param sites whether what administrators did with sites is wanted too
    * @param floor that it concerns
    */
   record Filter(
@@ -44,6 +45,7 @@ public interface EventArchive {
       @Nullable Instant from,
       @Nullable Instant until,
       boolean users,
+      boolean sites,
       @Nullable String floor) {
 
     /** Of all floors. */
@@ -55,7 +57,7 @@ public interface EventArchive {
         @Nullable Instant from,
         @Nullable Instant until,
         boolean users) {
-      this(task, robot, user, kind, from, until, users, null);
+      this(task, robot, user, kind, from, until, users, users, null);
     }
   }
 }

@@ -279,7 +279,12 @@ final class LaneAttempt {
    */
   boolean planWhole(JointPlanner planner, Deadline deadline) {
     Optional<List<int[]>> steps =
-        plan(planner, goals, deadline).or(() -> plan(planner, goals.forLongestWaiting(), deadline));
+        plan(planner, goals, deadline)
+            .or(
+                () ->
+                    planned.isEmpty()
+                        ? Optional.empty()
+                        : plan(planner, goals.forLongestWaiting(), deadline));
     steps.ifPresent(
         found -> {
           adopt(roads, spacing, found);

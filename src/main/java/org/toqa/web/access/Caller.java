@@ -7,9 +7,14 @@ import org.jspecify.annotations.Nullable;
 import org.toqa.accounts.Account;
 import org.toqa.accounts.Role;
 import org.toqa.accounts.Session;
+import org.toqa.accounts.Site;
 
-/** The user whose request it is, and how he proved it. */
-public record Caller(Account account, Session session, Credential credential) {
+/**
+ * The user whose request it is, and how he proved it.
+ *
+ * @param site where his account is; he may look at another one
+ */
+public record Caller(Account account, Session session, Credential credential, Site site) {
   /** Also the name under which views find the caller. */
   private static final String ATTRIBUTE = "caller";
 
@@ -24,8 +29,37 @@ public record Caller(Account account, Session session, Credential credential) {
     return owner != null && owner == account.id();
   }
 
+  /** A name that he shares with nobody of any site. */
+  public String uniqueName() {
+    return site.isFirst() ? account.name() : account.name() + "@" + site.id();
+  }
+
   public boolean isManager() {
     return account.isManager();
+  }
+
+  /** Whether he may change what the request's site has. */
+  public boolean mayManage() {
+    return isManager() && !isVisitor();
+  }
+
+  public boolean isAdministrator() {
+    return account.isAdministrator();
+  }
+
+  /** Administrators are of the first site alone. */
+  public boolean mayMakeAdministrators() {
+    return isAdministrator() && !isVisitor();
+  }
+
+  /** Whether the request concerns another site than his own. */
+  public boolean isVisitor() {
+    return account.isVisitor();
+  }
+
+  /** The same where he looks at another site than his own. */
+  public Caller asVisitor() {
+    return new Caller(account.asVisitor(site.name()), session, credential, site);
   }
 
   /** Whether the caller may use a route that asks for that permission. */
@@ -34,10 +68,11 @@ public record Caller(Account account, Session session, Credential credential) {
       case ANONYMOUS, SIGNED_IN -> true;
       case CLERK -> account.role() == Role.CLERK || isManager();
       case MANAGER -> isManager();
+      case ADMINISTRATOR -> isAdministrator();
     };
   }
 
-  void storeIn(ServletRequest request) {
+  public void storeIn(ServletRequest request) {
     request.setAttribute(ATTRIBUTE, this);
   }
 

@@ -10,10 +10,12 @@ import java.util.Optional;
 import org.toqa.accounts.SessionStore;
 import org.toqa.web.RequestPath;
 import org.toqa.web.Services;
+import org.toqa.web.Sites;
 
 /**
- * Finds out whose request it is; static files and the health are for everybody, so there it does
- * not ask. What pages ask by themselves while nobody sits before them keeps no session alive.
+ * Finds out whose request it is, and of which site he is; static files and the health are for
+ * everybody, so there it does not ask. What pages ask by themselves while nobody sits before them
+ * keeps no session alive.
  */
 public final class CallerFilter extends HttpFilter {
   /** In what a page asks by itself. */
@@ -28,21 +30,22 @@ public final class CallerFilter extends HttpFilter {
       throws IOException, ServletException {
     if (!request.getServletPath().startsWith("/assets/")
         && !RequestPath.of(request).equals(HEALTH)) {
-      Credential.of(request)
-          .flatMap(
-              credential ->
-                  login(credential, request)
-                      .map(login -> new Caller(login.account(), login.session(), credential)))
-          .ifPresent(caller -> caller.storeIn(request));
+      Credential.of(request).ifPresent(credential -> identify(credential, request));
     }
     chain.doFilter(request, response);
   }
 
-  private static Optional<SessionStore.AuthenticatedSession> login(
-      Credential credential, HttpServletRequest request) {
-    Services services = Services.of(request.getServletContext());
+  private static void identify(Credential credential, HttpServletRequest request) {
+    Sites sites = Sites.of(request.getServletContext());
     boolean isBackground =
         request.getHeader(BACKGROUND_HEADER) != null || RequestPath.of(request).equals(LIVE_EVENTS);
-    return isBackground ? credential.loginWithoutUse(services) : credential.login(services);
+    Optional<SessionStore.AuthenticatedSession> login =
+        isBackground ? credential.loginWithoutUse(sites) : credential.login(sites);
+    if (login.isPresent()) {
+      Services own = sites.ofSecret(credential.secret());
+      own.storeIn(request);
+      new Caller(login.get().account(), login.get().session(), credential, own.site())
+          .storeIn(request);
+    }
   }
 }

@@ -4,7 +4,7 @@ import jakarta.servlet.http.HttpServletRequest;
 import java.util.Optional;
 import org.toqa.accounts.Session;
 import org.toqa.accounts.SessionStore;
-import org.toqa.web.Services;
+import org.toqa.web.Sites;
 
 /**
  * What a request shows to prove whose it is; asked again, it tells whether it still does.
@@ -17,16 +17,19 @@ public record Credential(Session.Carrier carrier, String secret) {
    * The session it proves and its user, while it does and he may come in. It counts as use of the
    * session.
    */
-  public Optional<SessionStore.AuthenticatedSession> login(Services services) {
-    return services
-        .sessions()
+  public Optional<SessionStore.AuthenticatedSession> login(Sites sites) {
+    return sessions(sites)
         .authenticate(carrier, secret)
         .filter(login -> !login.account().disabled());
   }
 
   /** The same, but it counts as no use: the session ends as if nobody had asked. */
-  public Optional<SessionStore.AuthenticatedSession> loginWithoutUse(Services services) {
-    return services.sessions().find(carrier, secret).filter(login -> !login.account().disabled());
+  public Optional<SessionStore.AuthenticatedSession> loginWithoutUse(Sites sites) {
+    return sessions(sites).find(carrier, secret).filter(login -> !login.account().disabled());
+  }
+
+  private SessionStore sessions(Sites sites) {
+    return sites.ofSecret(secret).sessions();
   }
 
   /** The request's bearer token if it has one, else its cookie if it has one. */

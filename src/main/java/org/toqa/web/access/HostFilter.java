@@ -25,7 +25,7 @@ public final class HostFilter extends HttpFilter {
     String host = request.getServerName();
     if (request.getServletPath().startsWith("/assets/")
         || isWithoutHost(request)
-        || Services.of(request.getServletContext()).allowedHosts().contains(host)) {
+        || Services.of(request).allowedHosts().contains(host)) {
       chain.doFilter(request, response);
       return;
     }

@@ -8,7 +8,8 @@ public enum Permission {
   SIGNED_IN("problem.login"),
   /** Clerks, and managers. */
   CLERK("problem.managersOnly"),
-  MANAGER("problem.managersOnly");
+  MANAGER("problem.managersOnly"),
+  ADMINISTRATOR("problem.administratorsOnly");
 
   private final String refusalKey;
 

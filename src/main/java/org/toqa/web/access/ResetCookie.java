@@ -6,6 +6,7 @@ import jakarta.servlet.http.HttpServletResponse;
 import java.util.Arrays;
 import java.util.Optional;
 import java.util.stream.Stream;
+import org.toqa.accounts.Secret;
 
 /**
  * The secret of a link by which a password is replaced, while its page is open: from there on it is
@@ -28,7 +29,7 @@ public final class ResetCookie {
    * @param secret as it was given; what cannot be one is not kept
    */
   public static void set(HttpServletRequest request, HttpServletResponse response, String secret) {
-    add(request, response, secret.matches("[A-Za-z0-9_-]{1,100}") ? secret : "none", -1);
+    add(request, response, Secret.isWellFormed(secret) ? secret : "none", -1);
   }
 
   public static void remove(HttpServletRequest request, HttpServletResponse response) {

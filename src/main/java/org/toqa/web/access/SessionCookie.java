@@ -5,12 +5,12 @@ import jakarta.servlet.http.HttpServletRequest;
 import jakarta.servlet.http.HttpServletResponse;
 import java.util.Arrays;
 import java.util.Optional;
-import java.util.regex.Pattern;
 import java.util.stream.Stream;
 import org.toqa.accounts.Account;
 import org.toqa.accounts.Secret;
 import org.toqa.accounts.Session;
 import org.toqa.web.Services;
+import org.toqa.web.Sites;
 
 /**
  * The secret that a browser keeps. That of somebody who is not signed in only ties forms to the
@@ -18,7 +18,6 @@ import org.toqa.web.Services;
  */
 public final class SessionCookie {
   private static final String NAME = "toqa-session";
-  private static final Pattern SECRET = Pattern.compile("[A-Za-z0-9_-]{43}");
 
   private SessionCookie() {}
 
@@ -27,7 +26,7 @@ public final class SessionCookie {
     return (cookies == null ? Stream.<Cookie>empty() : Arrays.stream(cookies))
         .filter(cookie -> cookie.getName().equals(NAME))
         .map(Cookie::getValue)
-        .filter(value -> SECRET.matcher(value).matches())
+        .filter(Secret::isWellFormed)
         .findFirst();
   }
 
@@ -42,10 +41,14 @@ public final class SessionCookie {
             });
   }
 
-  /** Logs the user in, in this browser; what was logged in there ends. */
+  /**
+   * Logs the user in, in this browser; what was logged in there ends.
+   *
+   * @param services of his site
+   */
   public static void signIn(
       HttpServletRequest request, HttpServletResponse response, Services services, Account user) {
-    signOut(request, services);
+    signOut(request);
     set(
         request,
         response,
@@ -53,8 +56,9 @@ public final class SessionCookie {
   }
 
   /** Logs out whoever is logged in, in this browser. */
-  public static void signOut(HttpServletRequest request, Services services) {
-    of(request).ifPresent(services.sessions()::end);
+  public static void signOut(HttpServletRequest request) {
+    Sites sites = Sites.of(request.getServletContext());
+    of(request).ifPresent(secret -> sites.ofSecret(secret).sessions().end(secret));
   }
 
   private static void set(HttpServletRequest request, HttpServletResponse response, String secret) {

@@ -20,7 +20,7 @@ import org.toqa.wording.Sentence;
 /** What the handlers of the API have in common. */
 public abstract class ApiHandler {
   public static Services services(HttpServletRequest request) {
-    return Services.of(request.getServletContext());
+    return Services.of(request);
   }
 
   /**

@@ -124,7 +124,7 @@ public final class FloorDraftResource extends ApiHandler {
           .exception();
     }
     FloorMap published = currentValue(request, answer);
-    Json.send(request, response, 200, FloorSummary.of(published, services(request).fleet()));
+    Json.send(request, response, 200, FloorSummary.of(published, services(request)));
   }
 
   /** Why the draft cannot be published. */

@@ -32,7 +32,7 @@ public final class FloorResource extends ApiHandler {
   public static void get(HttpServletRequest request, HttpServletResponse response)
       throws IOException {
     FloorMap floor = FloorFilesResource.floorOfPath(request);
-    FloorSummary now = FloorSummary.of(floor, services(request).fleet());
+    FloorSummary now = FloorSummary.of(floor, services(request));
     Json.send(
         request,
         response,

@@ -37,7 +37,7 @@ public final class FloorsResource extends ApiHandler {
         request,
         response,
         HttpServletResponse.SC_CREATED,
-        FloorSummary.of(added, services(request).fleet()));
+        FloorSummary.of(added, services(request)));
   }
 
   private static FloorOrder readOrder(JsonFields fields) {

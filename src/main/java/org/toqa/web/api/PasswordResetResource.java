@@ -6,6 +6,8 @@ import java.io.IOException;
 import java.time.Duration;
 import java.util.Objects;
 import org.toqa.accounts.Account;
+import org.toqa.web.Services;
+import org.toqa.web.Sites;
 import org.toqa.web.Texts;
 import org.toqa.web.input.FieldErrors;
 import org.toqa.web.input.InputRules;
@@ -27,9 +29,8 @@ public final class PasswordResetResource extends ApiHandler {
       throw Problem.of(409, texts.get("forgotten.manager")).exception();
     }
     Duration wait =
-        services(request)
-            .passwordLinks()
-            .sendLink(Objects.requireNonNull(user), request.getRemoteAddr(), texts);
+        Sites.of(request.getServletContext())
+            .sendPasswordLink(Objects.requireNonNull(user), request.getRemoteAddr(), texts);
     if (wait.isPositive()) {
       long seconds = wait.plusMillis(999).toSeconds();
       response.setHeader("Retry-After", Long.toString(seconds));
@@ -47,16 +48,14 @@ public final class PasswordResetResource extends ApiHandler {
     String given = fields.text("password");
     fields.refuseUnknown();
     throwIfAny(errors);
+    Services site = Sites.of(request.getServletContext()).ofSecret(secret);
     Account user =
-        services(request)
-            .passwordLinks()
+        site.passwordLinks()
             .user(secret)
             .orElseThrow(() -> Problem.of(410, texts.get("reset.expired")).exception());
     String password = new InputRules(texts, errors).newPassword("password", given, user.name());
     throwIfAny(errors);
-    if (!services(request)
-        .passwordLinks()
-        .replacePassword(secret, services(request).passwordHasher().hash(password))) {
+    if (!site.passwordLinks().replacePassword(secret, site.passwordHasher().hash(password))) {
       throw Problem.of(410, texts.get("reset.expired")).exception();
     }
     response.setStatus(HttpServletResponse.SC_NO_CONTENT);

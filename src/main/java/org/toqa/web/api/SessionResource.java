@@ -6,6 +6,8 @@ import java.io.IOException;
 import java.util.Map;
 import org.toqa.accounts.Authenticator;
 import org.toqa.accounts.Session;
+import org.toqa.web.Services;
+import org.toqa.web.Sites;
 import org.toqa.web.Texts;
 import org.toqa.web.access.Caller;
 import org.toqa.web.access.RequestOrigin;
@@ -29,8 +31,10 @@ public final class SessionResource extends ApiHandler {
     }
     throwIfAny(errors);
     if (name != null && password != null) {
+      Sites.Login who = Sites.of(request.getServletContext()).login(name);
       send(
-          services(request).authenticator().authenticate(name, password, request.getRemoteAddr()),
+          who.site().authenticator().authenticate(who.name(), password, request.getRemoteAddr()),
+          who.site(),
           request,
           response);
     }
@@ -43,7 +47,10 @@ public final class SessionResource extends ApiHandler {
   }
 
   private static void send(
-      Authenticator.Outcome outcome, HttpServletRequest request, HttpServletResponse response)
+      Authenticator.Outcome outcome,
+      Services site,
+      HttpServletRequest request,
+      HttpServletResponse response)
       throws IOException {
     Texts texts = Texts.of(request);
     switch (outcome) {
@@ -54,8 +61,7 @@ public final class SessionResource extends ApiHandler {
               200,
               Map.of(
                   "token",
-                  services(request)
-                      .sessions()
+                  site.sessions()
                       .begin(login.account(), Session.Kind.API, RequestOrigin.of(request))
                       .secret()));
       case Authenticator.Outcome.WrongCredentials() -> {

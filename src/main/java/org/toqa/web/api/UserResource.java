@@ -43,7 +43,7 @@ public final class UserResource extends ApiHandler {
 
   public static void change(HttpServletRequest request, HttpServletResponse response)
       throws IOException {
-    Account user = user(request);
+    Account user = userToChange(request);
     requireVersion(Version.of(user), request);
     FieldErrors errors = new FieldErrors();
     JsonFields fields = JsonFields.of(request, errors);
@@ -51,7 +51,7 @@ public final class UserResource extends ApiHandler {
     if (fields.text("role") == null) {
       errors.add("role", texts.get("error.role"));
     }
-    Role role = new InputRules(texts, errors).role("role", fields.text("role"));
+    Role role = new InputRules(texts, errors).role("role", fields.text("role"), Caller.of(request));
     boolean disabled = fields.flag("disabled");
     fields.refuseUnknown();
     throwIfAny(errors);
@@ -70,7 +70,7 @@ public final class UserResource extends ApiHandler {
   /** What becomes of the user's tasks, schedules and tokens is in the query. */
   public static void delete(HttpServletRequest request, HttpServletResponse response) {
     FieldErrors errors = new FieldErrors();
-    new UserDeletion(services(request), Texts.of(request), errors, user(request))
+    new UserDeletion(services(request), Texts.of(request), errors, userToChange(request))
         .run(
             Caller.of(request),
             new UserDeletion.Choices(
@@ -90,7 +90,10 @@ public final class UserResource extends ApiHandler {
   public static void endSession(HttpServletRequest request, HttpServletResponse response) {
     if (!services(request)
         .sessions()
-        .end(user(request), RequestPath.number(request, "session"), Caller.of(request).name())) {
+        .end(
+            userToChange(request),
+            RequestPath.number(request, "session"),
+            Caller.of(request).name())) {
       throw Problem.of(404, Texts.of(request).get("problem.noSuchSession")).exception();
     }
     response.setStatus(HttpServletResponse.SC_NO_CONTENT);
@@ -98,7 +101,7 @@ public final class UserResource extends ApiHandler {
 
   public static void changePassword(HttpServletRequest request, HttpServletResponse response)
       throws IOException {
-    Account user = user(request);
+    Account user = userToChange(request);
     FieldErrors errors = new FieldErrors();
     JsonFields fields = JsonFields.of(request, errors);
     String password = fields.text("password");
@@ -112,7 +115,7 @@ public final class UserResource extends ApiHandler {
 
   public static void changeEmail(HttpServletRequest request, HttpServletResponse response)
       throws IOException {
-    Account user = user(request);
+    Account user = userToChange(request);
     FieldErrors errors = new FieldErrors();
     JsonFields fields = JsonFields.of(request, errors);
     String email = fields.text("email");
@@ -164,7 +167,7 @@ public final class UserResource extends ApiHandler {
 
   public static void createLink(HttpServletRequest request, HttpServletResponse response)
       throws IOException {
-    Account user = user(request);
+    Account user = userToChange(request);
     String link =
         services(request)
             .passwordLinks()
@@ -181,6 +184,15 @@ public final class UserResource extends ApiHandler {
         .filter(user -> UserCommands.canSee(caller, user))
         .orElseThrow(
             () -> Problem.of(404, Texts.of(request).get("problem.noSuchUser")).exception());
+  }
+
+  /** The same for who is to be changed. */
+  private static Account userToChange(HttpServletRequest request) {
+    Account user = user(request);
+    if (!UserCommands.canChange(Caller.of(request), user)) {
+      throw Problem.of(403, Texts.of(request).get("problem.administratorsOnly")).exception();
+    }
+    return user;
   }
 
   private static void refuseUnlessDone(

@@ -30,7 +30,7 @@ public final class UsersResource extends ApiHandler {
     String name = rules.userName("name", fields.text("name"));
     String password = rules.newPassword("password", fields.text("password"), name);
     String email = rules.email("email", fields.text("email"));
-    Role role = rules.role("role", fields.text("role"));
+    Role role = rules.role("role", fields.text("role"), Caller.of(request));
     fields.refuseUnknown();
     throwIfAny(errors);
     Account user =

@@ -29,6 +29,7 @@ public final class HistoryQueryReader {
         fields.from(),
         fields.until(),
         Caller.of(request).isManager(),
+        Caller.of(request).isAdministrator(),
         fields.text("floor"));
   }
 

@@ -13,10 +13,12 @@ import org.jspecify.annotations.Nullable;
 import org.toqa.accounts.PasswordRules;
 import org.toqa.accounts.Role;
 import org.toqa.accounts.Scope;
+import org.toqa.accounts.Site;
 import org.toqa.fleet.PartsOrder;
 import org.toqa.link.trust.PairingCode;
 import org.toqa.mission.TransportTask.LoadSize;
 import org.toqa.web.Texts;
+import org.toqa.web.access.Caller;
 
 /**
  * What values from outside must be, whichever input they come by. Each method files a sentence
@@ -239,6 +241,14 @@ public final class InputRules {
     return name;
   }
 
+  public String siteName(String field, @Nullable String given) {
+    String name = given == null ? "" : given.strip();
+    if (!Site.isName(name)) {
+      refuse(field, "error.siteName");
+    }
+    return name;
+  }
+
   /** An e-mail address; null where none is given. */
   public @Nullable String email(String field, @Nullable String given) {
     if (given == null || given.isBlank()) {
@@ -281,13 +291,18 @@ public final class InputRules {
     return scopes;
   }
 
-  /** A clerk where none is given. */
-  public Role role(String field, @Nullable String given) {
+  /**
+   * A clerk where none is given.
+   *
+   * @param caller who gives that role to somebody
+   */
+  public Role role(String field, @Nullable String given, Caller caller) {
     if (given == null) {
       return Role.CLERK;
     }
     return Stream.of(Role.values())
         .filter(role -> role.name().equals(given))
+        .filter(role -> role != Role.ADMINISTRATOR || caller.mayMakeAdministrators())
         .findFirst()
         .orElseGet(
             () -> {

@@ -33,15 +33,18 @@ public final class UserCommands {
 
   public static UserCommands of(HttpServletRequest request, FieldErrors errors) {
     return new UserCommands(
-        Services.of(request.getServletContext()),
-        Texts.of(request),
-        errors,
-        RequestOrigin.of(request));
+        Services.of(request), Texts.of(request), errors, RequestOrigin.of(request));
   }
 
   /** A user sees and changes himself, a manager all. */
   public static boolean canSee(Caller caller, Account user) {
     return caller.isManager() || isSelf(caller, user);
+  }
+
+  /** An administrator is changed by himself and by others of them only. */
+  public static boolean canChange(Caller caller, Account user) {
+    return canSee(caller, user)
+        && (!user.isAdministrator() || caller.isAdministrator() || isSelf(caller, user));
   }
 
   public static boolean isSelf(Caller caller, Account user) {
@@ -146,6 +149,7 @@ public final class UserCommands {
       case NO_SUCH_ACCOUNT -> Optional.of(texts.get("problem.noSuchUser"));
       case OUTDATED -> Optional.of(texts.get("error.changed"));
       case LAST_MANAGER -> Optional.of(texts.get("error.lastManager"));
+      case LAST_ADMINISTRATOR -> Optional.of(texts.get("error.lastAdministrator"));
     };
   }
 }

@@ -12,6 +12,7 @@ import org.toqa.fleet.FleetSnapshot;
 import org.toqa.fleet.SnapshotFeed;
 import org.toqa.persistence.StoreException;
 import org.toqa.web.Services;
+import org.toqa.web.Sites;
 import org.toqa.web.access.Caller;
 
 /**
@@ -34,6 +35,7 @@ final class EventStream implements Runnable {
   private static final byte[] ALIVE = "event: alive\ndata: {}\n\n".getBytes(StandardCharsets.UTF_8);
 
   private final AsyncContext async;
+  private final Sites sites;
   private final Services services;
   private final Caller caller;
   private final SnapshotEventWriter events;
@@ -50,6 +52,7 @@ final class EventStream implements Runnable {
    */
   EventStream(
       AsyncContext async,
+      Sites sites,
       Services services,
       Caller caller,
       SnapshotEventWriter events,
@@ -58,6 +61,7 @@ final class EventStream implements Runnable {
       @Nullable String lastId,
       IntSupplier readerCount) {
     this.async = async;
+    this.sites = sites;
     this.services = services;
     this.caller = caller;
     this.events = events;
@@ -107,7 +111,7 @@ final class EventStream implements Runnable {
       Thread.sleep(interval());
       FleetSnapshot newest = feed.awaitNewer(sent.version(), KEEP_ALIVE);
       if (System.nanoTime() - checked >= KEEP_ALIVE.toNanos()) {
-        if (caller.credential().loginWithoutUse(services).isEmpty() || isFloorGone()) {
+        if (!mayStillSee() || isFloorGone()) {
           return;
         }
         checked = System.nanoTime();
@@ -115,6 +119,14 @@ final class EventStream implements Runnable {
       send(out, newest.version() > sent.version() ? event(sent, newest) : ALIVE);
       sent = newest;
     }
+  }
+
+  private boolean mayStillSee() {
+    return caller
+        .credential()
+        .loginWithoutUse(sites)
+        .filter(login -> !caller.isVisitor() || login.account().isAdministrator())
+        .isPresent();
   }
 
   private boolean isFloorGone() {

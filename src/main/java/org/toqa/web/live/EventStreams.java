@@ -10,8 +10,10 @@ import java.util.Objects;
 import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
 import org.jspecify.annotations.Nullable;
+import org.toqa.accounts.Site;
 import org.toqa.web.Metrics;
 import org.toqa.web.Services;
+import org.toqa.web.Sites;
 import org.toqa.web.access.Caller;
 
 /** The streams of live events that are open. Closing it ends them. */
@@ -27,7 +29,7 @@ public final class EventStreams implements AutoCloseable {
    *
    * @param floor the only one that is told of; null: all are
    */
-  private record Kind(Locale locale, @Nullable String floor) {}
+  private record Kind(Site site, Locale locale, @Nullable String floor) {}
 
   public static EventStreams of(ServletContext context) {
     return (EventStreams)
@@ -46,6 +48,7 @@ public final class EventStreams implements AutoCloseable {
    */
   void start(
       AsyncContext async,
+      Sites sites,
       Services services,
       Caller caller,
       Locale locale,
@@ -59,10 +62,12 @@ public final class EventStreams implements AutoCloseable {
             .unstarted(
                 new EventStream(
                     async,
+                    sites,
                     services,
                     caller,
                     writers.computeIfAbsent(
-                        new Kind(locale, floor), _ -> new SnapshotEventWriter(locale)),
+                        new Kind(services.site(), locale, floor),
+                        _ -> new SnapshotEventWriter(locale)),
                     changesOnly,
                     floor,
                     lastId,

@@ -5,6 +5,7 @@ import jakarta.servlet.http.HttpServletRequest;
 import jakarta.servlet.http.HttpServletResponse;
 import java.util.Objects;
 import java.util.Optional;
+import org.toqa.web.Sites;
 import org.toqa.web.Texts;
 import org.toqa.web.access.Caller;
 import org.toqa.web.api.ApiHandler;
@@ -25,7 +26,9 @@ public final class EventsResource extends ApiHandler {
     StreamPlaces places = new StreamPlaces();
     Optional<StreamPlaces.Refusal> refusal =
         places.take(
-            services(request).concurrency(), Caller.of(request).name(), request.getRemoteAddr());
+            services(request).concurrency(),
+            Caller.of(request).uniqueName(),
+            request.getRemoteAddr());
     if (refusal.isPresent()) {
       response.setHeader("Retry-After", RETRY_SECONDS);
       throw Problem.of(
@@ -38,6 +41,7 @@ public final class EventsResource extends ApiHandler {
     EventStreams.of(request.getServletContext())
         .start(
             async,
+            Sites.of(request.getServletContext()),
             services(request),
             Caller.of(request),
             Texts.of(request).locale(),

@@ -20,6 +20,7 @@ import org.toqa.grid.MapLimits;
 import org.toqa.web.FleetAnswers;
 import org.toqa.web.FloorSummary;
 import org.toqa.web.RequestPath;
+import org.toqa.web.Services;
 import org.toqa.web.Texts;
 import org.toqa.web.access.Caller;
 import org.toqa.web.input.FieldErrors;
@@ -39,10 +40,10 @@ public final class FloorsPage extends PageHandler {
    * @param height metres
    */
   public record Entry(FloorSummary summary, double width, double height) {
-    static Entry of(FloorMap floor, Fleet fleet) {
+    static Entry of(FloorMap floor, Services services) {
       double resolution = floor.grid().resolution();
       return new Entry(
-          FloorSummary.of(floor, fleet),
+          FloorSummary.of(floor, services),
           floor.grid().width() * resolution,
           floor.grid().height() * resolution);
     }
@@ -67,7 +68,8 @@ public final class FloorsPage extends PageHandler {
   private static void addEntries(HttpServletRequest request) {
     Fleet fleet = services(request).fleet();
     request.setAttribute(
-        "entries", fleet.floors().stream().map(floor -> Entry.of(floor, fleet)).toList());
+        "entries",
+        fleet.floors().stream().map(floor -> Entry.of(floor, services(request))).toList());
   }
 
   public static void add(HttpServletRequest request, HttpServletResponse response)

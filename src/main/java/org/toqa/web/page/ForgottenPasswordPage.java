@@ -5,6 +5,7 @@ import jakarta.servlet.http.HttpServletRequest;
 import jakarta.servlet.http.HttpServletResponse;
 import java.io.IOException;
 import java.time.Duration;
+import org.toqa.web.Sites;
 import org.toqa.web.Texts;
 import org.toqa.web.input.FieldErrors;
 
@@ -27,7 +28,8 @@ public final class ForgottenPasswordPage extends PageHandler {
       errors.add("user", texts.get("error.forgotten.user"));
     } else {
       Duration wait =
-          services(request).passwordLinks().sendLink(user, request.getRemoteAddr(), texts);
+          Sites.of(request.getServletContext())
+              .sendPasswordLink(user, request.getRemoteAddr(), texts);
       if (wait.isZero()) {
         redirect(request, response, "/forgotten?done=sent");
         return;

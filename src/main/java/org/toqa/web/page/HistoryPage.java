@@ -5,6 +5,7 @@ import jakarta.servlet.http.HttpServletRequest;
 import jakarta.servlet.http.HttpServletResponse;
 import java.io.IOException;
 import java.util.List;
+import java.util.function.Function;
 import java.util.stream.Stream;
 import org.toqa.fleet.history.EventArchive.Entry;
 import org.toqa.fleet.history.EventArchive.Filter;
@@ -18,14 +19,17 @@ public final class HistoryPage extends PageHandler {
   private static final List<String> FAMILIES =
       List.of("task", "schedule", "robot", "fleet", "floor", "traffic");
   private static final String USERS = "user";
+  private static final String SITES = "site";
 
   public static void show(HttpServletRequest request, HttpServletResponse response)
       throws ServletException, IOException {
     request.setAttribute(
         "families",
-        Stream.concat(
+        Stream.of(
                 FAMILIES.stream(),
-                Caller.of(request).isManager() ? Stream.of(USERS) : Stream.empty())
+                Caller.of(request).isManager() ? Stream.of(USERS) : Stream.<String>empty(),
+                Caller.of(request).isAdministrator() ? Stream.of(SITES) : Stream.<String>empty())
+            .flatMap(Function.identity())
             .toList());
     request.setAttribute("robots", services(request).history().robots());
     FieldErrors errors = new FieldErrors();

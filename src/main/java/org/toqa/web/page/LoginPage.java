@@ -5,9 +5,11 @@ import jakarta.servlet.http.HttpServletRequest;
 import jakarta.servlet.http.HttpServletResponse;
 import java.io.IOException;
 import org.toqa.accounts.Authenticator;
+import org.toqa.web.Sites;
 import org.toqa.web.Texts;
 import org.toqa.web.access.Caller;
 import org.toqa.web.access.SessionCookie;
+import org.toqa.web.access.VisitedSite;
 import org.toqa.web.input.FieldErrors;
 
 /** Signs in with a name and a password. */
@@ -40,11 +42,13 @@ public final class LoginPage extends PageHandler {
       showAgain(request, response, "index", errors);
       return;
     }
-    switch (services(request)
+    Sites.Login who = Sites.of(request.getServletContext()).login(name);
+    switch (who.site()
         .authenticator()
-        .authenticate(name, password, request.getRemoteAddr())) {
+        .authenticate(who.name(), password, request.getRemoteAddr())) {
       case Authenticator.Outcome.Authenticated login -> {
-        SessionCookie.signIn(request, response, services(request), login.account());
+        SessionCookie.signIn(request, response, who.site(), login.account());
+        VisitedSite.forget(request, response);
         redirect(
             request,
             response,

@@ -32,7 +32,7 @@ abstract class PageHandler {
   static final String FORM = "form";
 
   static Services services(HttpServletRequest request) {
-    return Services.of(request.getServletContext());
+    return Services.of(request);
   }
 
   /** Shows a view; it finds the CSRF token for its forms as {@code csrf}. */

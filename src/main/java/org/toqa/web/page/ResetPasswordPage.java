@@ -6,6 +6,8 @@ import jakarta.servlet.http.HttpServletResponse;
 import java.io.IOException;
 import java.util.Optional;
 import org.toqa.accounts.Account;
+import org.toqa.web.Services;
+import org.toqa.web.Sites;
 import org.toqa.web.Texts;
 import org.toqa.web.access.ResetCookie;
 import org.toqa.web.access.SessionCookie;
@@ -27,7 +29,7 @@ public final class ResetPasswordPage extends PageHandler {
       redirect(request, response, "/reset");
       return;
     }
-    Optional<Account> user = services(request).passwordLinks().user(secret(request));
+    Optional<Account> user = site(request).passwordLinks().user(secret(request));
     if (user.isEmpty()) {
       response.setStatus(GONE);
     }
@@ -36,7 +38,7 @@ public final class ResetPasswordPage extends PageHandler {
 
   public static void replacePassword(HttpServletRequest request, HttpServletResponse response)
       throws ServletException, IOException {
-    Optional<Account> user = services(request).passwordLinks().user(secret(request));
+    Optional<Account> user = site(request).passwordLinks().user(secret(request));
     if (user.isEmpty()) {
       response.setStatus(GONE);
       showForm(user, request, response);
@@ -52,10 +54,10 @@ public final class ResetPasswordPage extends PageHandler {
       showAgain(request, response, "reset", errors);
       return;
     }
-    if (services(request)
+    if (site(request)
         .passwordLinks()
-        .replacePassword(secret(request), services(request).passwordHasher().hash(password))) {
-      SessionCookie.signOut(request, services(request));
+        .replacePassword(secret(request), site(request).passwordHasher().hash(password))) {
+      SessionCookie.signOut(request);
       ResetCookie.remove(request, response);
       redirect(request, response, "/?done=reset");
     } else {
@@ -69,6 +71,11 @@ public final class ResetPasswordPage extends PageHandler {
       throws ServletException, IOException {
     user.ifPresent(account -> request.setAttribute("user", account));
     show(request, response, "reset");
+  }
+
+  /** Of the site whose user the link is for. */
+  private static Services site(HttpServletRequest request) {
+    return Sites.of(request.getServletContext()).ofSecret(secret(request));
   }
 
   private static String secret(HttpServletRequest request) {

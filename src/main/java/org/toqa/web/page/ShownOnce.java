@@ -27,21 +27,23 @@ public final class ShownOnce {
           .build();
 
   /**
+   * @param site the id of its maker's site
    * @param session the id of the session that made it
    * @param name of what it is
    */
-  private record Key(long session, String name) {}
+  private record Key(long site, long session, String name) {}
 
   static ShownOnce of(ServletContext context) {
     return (ShownOnce) Objects.requireNonNull(context.getAttribute(ATTRIBUTE));
   }
 
   void put(Caller caller, String name, String secret) {
-    secrets.put(new Key(caller.session().id(), name), secret);
+    secrets.put(new Key(caller.site().id(), caller.session().id(), name), secret);
   }
 
   /** The secret, if there is one that was not shown yet. */
   Optional<String> take(Caller caller, String name) {
-    return Optional.ofNullable(secrets.asMap().remove(new Key(caller.session().id(), name)));
+    return Optional.ofNullable(
+        secrets.asMap().remove(new Key(caller.site().id(), caller.session().id(), name)));
   }
 }

@@ -132,6 +132,10 @@ public final class UserPage extends PageHandler {
       return;
     }
     Account user = found.get();
+    if (!UserCommands.canChange(Caller.of(request), user)) {
+      ErrorResponse.sendText(request, response, 403, "problem.administratorsOnly");
+      return;
+    }
     EditConflict conflict = new EditConflict(request, Version.of(user));
     comparison.accept(user, conflict);
     FieldErrors differences = conflict.differences();
@@ -214,7 +218,8 @@ public final class UserPage extends PageHandler {
   private static String saveChange(Form form) {
     FormFields fields = form.fields();
     Role role =
-        new InputRules(Texts.of(form.request()), form.errors()).role("role", fields.text("role"));
+        new InputRules(Texts.of(form.request()), form.errors())
+            .role("role", fields.text("role"), form.caller());
     boolean disabled = fields.text("disabled") != null;
     if (form.errors().isEmpty()) {
       refuseUnlessDone(

@@ -33,7 +33,7 @@ public final class UsersPage extends PageHandler {
     String name = rules.userName("name", fields.text("name"));
     String password = rules.newPassword("password", fields.text("password"), name);
     String email = rules.email("email", fields.text("email"));
-    Role role = rules.role("role", fields.text("role"));
+    Role role = rules.role("role", fields.text("role"), Caller.of(request));
     if (errors.isEmpty()) {
       String hash = services(request).passwordHasher().hash(password);
       if (services(request)

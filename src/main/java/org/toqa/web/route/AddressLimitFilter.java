@@ -26,11 +26,7 @@ public final class AddressLimitFilter extends HttpFilter {
     Optional<Credential> shown = Credential.of(request);
     boolean isKnown =
         shown
-            .filter(
-                credential ->
-                    Services.of(request.getServletContext())
-                        .requestLimit()
-                        .isKnown(credential.secret()))
+            .filter(credential -> Services.of(request).requestLimit().isKnown(credential.secret()))
             .isPresent();
     if (isKnown
         || RequestLimitFilter.isUnlimited(request)
@@ -47,7 +43,7 @@ public final class AddressLimitFilter extends HttpFilter {
       chain.doFilter(request, response);
       return;
     }
-    ConcurrencyLimit limit = Services.of(request.getServletContext()).concurrency().requests();
+    ConcurrencyLimit limit = Services.of(request).concurrency().requests();
     String address = AddressBlock.of(request.getRemoteAddr());
     if (!limit.tryAcquire(address)) {
       response.setHeader("Retry-After", "1");

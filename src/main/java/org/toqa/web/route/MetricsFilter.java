@@ -31,7 +31,7 @@ public final class MetricsFilter extends HttpFilter {
   private static void measure(HttpServletRequest request, int status, Duration time) {
     var route =
         Routes.find(RequestPath.of(request)).flatMap(place -> place.route(request.getMethod()));
-    Services.of(request.getServletContext())
+    Services.of(request)
         .metrics()
         .recordRequest(
             route.map(Route::method).orElse(NONE),

@@ -36,7 +36,7 @@ public final class RequestLimitFilter extends HttpFilter {
     Credential.of(request).ifPresent(shown -> remember(request, shown, caller.isPresent()));
     boolean isAnswered =
         caller.isPresent()
-            ? tryAcquire(request, response, name(request, "user " + caller.get().name()))
+            ? tryAcquire(request, response, name(request, "user " + caller.get().uniqueName()))
             : request.getAttribute(COUNTED) != null || tryAcquireByAddress(request, response);
     if (isAnswered) {
       chain.doFilter(request, response);
@@ -44,7 +44,7 @@ public final class RequestLimitFilter extends HttpFilter {
   }
 
   private static void remember(HttpServletRequest request, Credential shown, boolean isGood) {
-    Services.of(request.getServletContext()).requestLimit().setKnown(shown.secret(), isGood);
+    Services.of(request).requestLimit().setKnown(shown.secret(), isGood);
   }
 
   /** Counts the request for its address; false: it was answered that it has to wait. */
@@ -61,7 +61,7 @@ public final class RequestLimitFilter extends HttpFilter {
 
   private static boolean tryAcquire(
       HttpServletRequest request, HttpServletResponse response, String caller) throws IOException {
-    Services services = Services.of(request.getServletContext());
+    Services services = Services.of(request);
     Duration wait = services.requestLimit().tryAcquire(caller);
     if (wait.isZero()) {
       return true;

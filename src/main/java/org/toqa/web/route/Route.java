@@ -35,6 +35,10 @@ public record Route(
     BEFORE_FIRST_START,
     /** Its form sends a file. */
     MULTIPART,
+    /** It concerns its caller, or all sites: also while he looks at another site. */
+    OWN_SITE,
+    /** An administrator may write so in a site that he looks at. */
+    EVERY_SITE,
     /** It stops robots, or tells how the server is: what else is asked for does not hold it up. */
     URGENT
   }

@@ -14,9 +14,11 @@ import org.toqa.accounts.Session;
 import org.toqa.web.ErrorResponse;
 import org.toqa.web.RequestPath;
 import org.toqa.web.Services;
+import org.toqa.web.Sites;
 import org.toqa.web.access.Caller;
 import org.toqa.web.access.CsrfToken;
 import org.toqa.web.access.Permission;
+import org.toqa.web.access.VisitedSite;
 
 /**
  * Finds the route of every request in the table of {@link Routes}, and refuses what it does not
@@ -26,12 +28,16 @@ import org.toqa.web.access.Permission;
  *   <li>No route at that path: 404. None with that method: 405; a form's address that is read leads
  *       to the form's page.
  *   <li>No manager yet: to the first start, or 503.
+ *   <li>An administrator who looks at another site: from here on the request concerns that site,
+ *       and he may read there, and help with its users. Nobody else may look there: 403.
  *   <li>A caller who is not signed in, where one must be: to the login, or 401. One who has not the
  *       route's permission, or whose token has not the route's scope: 403.
  *   <li>A write without the session's CSRF token: 403.
  * </ol>
  */
 public final class RouteFilter extends HttpFilter {
+  /** The name under which views find that of the other site that is looked at. */
+  private static final String VISITED = "visitedSite";
 
   @Override
   protected void doFilter(
@@ -56,7 +62,8 @@ public final class RouteFilter extends HttpFilter {
     }
     RequestPath.storeParameters(request, match.get().parameters());
     RouterServlet.storeRoute(request, route.get());
-    if (checkPermission(route.get(), path, request, response)) {
+    if (checkSite(route.get(), request, response)
+        && checkPermission(route.get(), path, request, response)) {
       chain.doFilter(request, response);
     }
   }
@@ -76,13 +83,53 @@ public final class RouteFilter extends HttpFilter {
         request.getContextPath() + (page.isEmpty() ? "/" : page), HttpServletResponse.SC_SEE_OTHER);
   }
 
+  /** Whether the request may concern the site that it names; from here on it does. */
+  private static boolean checkSite(
+      Route route, HttpServletRequest request, HttpServletResponse response) throws IOException {
+    Optional<Caller> caller = Caller.find(request);
+    Optional<String> named = VisitedSite.named(request);
+    if (caller.isEmpty()
+        || route.has(Route.Option.OWN_SITE)
+        || route.permission() == Permission.ANONYMOUS) {
+      return true;
+    }
+    if (!caller.get().isAdministrator()) {
+      if (named.isPresent() && !named.get().equalsIgnoreCase(caller.get().site().name())) {
+        ErrorResponse.sendText(request, response, 403, "problem.administratorsOnly");
+        return false;
+      }
+      return true;
+    }
+    Sites sites = Sites.of(request.getServletContext());
+    Optional<Services> visited =
+        named.isPresent()
+            ? sites.find(named.get())
+            : VisitedSite.kept(request).flatMap(sites::find);
+    if (named.isPresent() && visited.isEmpty()) {
+      ErrorResponse.sendText(request, response, 404, "problem.noSuchSite");
+      return false;
+    }
+    if (visited.isEmpty() || visited.get().site().equals(caller.get().site())) {
+      return true;
+    }
+    if (!isRead(request) && !route.has(Route.Option.EVERY_SITE)) {
+      ErrorResponse.sendText(
+          request, response, 403, "problem.visitor", visited.get().site().name());
+      return false;
+    }
+    visited.get().storeIn(request);
+    request.setAttribute(VISITED, visited.get().site().name());
+    caller.get().asVisitor().storeIn(request);
+    return true;
+  }
+
   private static boolean checkPermission(
       Route route, String path, HttpServletRequest request, HttpServletResponse response)
       throws IOException {
     if (route.has(Route.Option.BEFORE_FIRST_START)) {
       return checkCsrf(route, request, response);
     }
-    if (!Services.of(request.getServletContext()).accounts().hasManager()) {
+    if (!Services.of(request).accounts().hasManager()) {
       if (route.isApi()) {
         ErrorResponse.sendText(request, response, 503, "problem.noManager");
       } else {

@@ -1,11 +1,14 @@
 package org.toqa.web.route;
 
+import static org.toqa.web.access.Permission.ADMINISTRATOR;
 import static org.toqa.web.access.Permission.ANONYMOUS;
 import static org.toqa.web.access.Permission.CLERK;
 import static org.toqa.web.access.Permission.MANAGER;
 import static org.toqa.web.access.Permission.SIGNED_IN;
 import static org.toqa.web.route.Route.Option.BEFORE_FIRST_START;
+import static org.toqa.web.route.Route.Option.EVERY_SITE;
 import static org.toqa.web.route.Route.Option.MULTIPART;
+import static org.toqa.web.route.Route.Option.OWN_SITE;
 import static org.toqa.web.route.Route.Option.URGENT;
 
 import jakarta.servlet.http.HttpServletRequest;
@@ -43,6 +46,7 @@ import org.toqa.web.api.RobotsResource;
 import org.toqa.web.api.ScheduleResource;
 import org.toqa.web.api.SchedulesResource;
 import org.toqa.web.api.SessionResource;
+import org.toqa.web.api.SitesResource;
 import org.toqa.web.api.StatisticsCsvResource;
 import org.toqa.web.api.StatisticsResource;
 import org.toqa.web.api.TaskPreviewResource;
@@ -74,6 +78,7 @@ import org.toqa.web.page.ResetPasswordPage;
 import org.toqa.web.page.RobotPage;
 import org.toqa.web.page.RobotsPage;
 import org.toqa.web.page.SchedulesPage;
+import org.toqa.web.page.SitesPage;
 import org.toqa.web.page.StatisticsPage;
 import org.toqa.web.page.TaskPage;
 import org.toqa.web.page.TasksPage;
@@ -94,7 +99,7 @@ public final class Routes {
           post("/first-start", ANONYMOUS, FirstStartPage::createManager).with(BEFORE_FIRST_START),
           get("/", ANONYMOUS, LoginPage::show),
           post("/", ANONYMOUS, LoginPage::signIn),
-          post("/logout", SIGNED_IN, LogoutForm::signOut),
+          post("/logout", SIGNED_IN, LogoutForm::signOut).with(OWN_SITE),
           get("/forgotten", ANONYMOUS, ForgottenPasswordPage::show),
           post("/forgotten", ANONYMOUS, ForgottenPasswordPage::sendLink),
           get("/reset", ANONYMOUS, ResetPasswordPage::show),
@@ -150,15 +155,20 @@ public final class Routes {
           post("/floors/{floor}/resume", MANAGER, FloorForms::resume),
           post("/floors/{floor}/allocator", MANAGER, FloorForms::allocator),
           get("/users", SIGNED_IN, UsersPage::show),
-          post("/users", MANAGER, UsersPage::add),
+          post("/users", MANAGER, UsersPage::add).with(EVERY_SITE),
           get("/users/{id}", SIGNED_IN, UserPage::show),
-          post("/users/{id}/change", MANAGER, UserPage::change),
-          post("/users/{id}/password", SIGNED_IN, UserPage::changePassword),
-          post("/users/{id}/email", SIGNED_IN, UserPage::changeEmail),
+          post("/users/{id}/change", MANAGER, UserPage::change).with(EVERY_SITE),
+          post("/users/{id}/password", SIGNED_IN, UserPage::changePassword).with(EVERY_SITE),
+          post("/users/{id}/email", SIGNED_IN, UserPage::changeEmail).with(EVERY_SITE),
           post("/users/{id}/tokens", SIGNED_IN, UserPage::createToken),
-          post("/users/{id}/sessions/{session}/end", SIGNED_IN, UserPage::endSession),
-          post("/users/{id}/reset-link", MANAGER, UserPage::createLink),
-          post("/users/{id}/delete", MANAGER, UserPage::delete),
+          post("/users/{id}/sessions/{session}/end", SIGNED_IN, UserPage::endSession)
+              .with(EVERY_SITE),
+          post("/users/{id}/reset-link", MANAGER, UserPage::createLink).with(EVERY_SITE),
+          post("/users/{id}/delete", MANAGER, UserPage::delete).with(EVERY_SITE),
+          get("/sites", ADMINISTRATOR, SitesPage::show).with(OWN_SITE),
+          post("/sites", ADMINISTRATOR, SitesPage::add).with(OWN_SITE),
+          post("/sites/{site}/visit", ADMINISTRATOR, SitesPage::visit).with(OWN_SITE),
+          post("/sites/{site}/delete", ADMINISTRATOR, SitesPage::remove).with(OWN_SITE),
           get("/statistics", CLERK, StatisticsPage::show),
           get("/history", CLERK, HistoryPage::show),
           get("/api", SIGNED_IN, ApiDocumentPage::show),
@@ -166,7 +176,7 @@ public final class Routes {
               .with(BEFORE_FIRST_START)
               .with(URGENT),
           post("/api/v1/session", ANONYMOUS, SessionResource::begin),
-          delete("/api/v1/session", SIGNED_IN, SessionResource::end),
+          delete("/api/v1/session", SIGNED_IN, SessionResource::end).with(OWN_SITE),
           post("/api/v1/forgotten-password", ANONYMOUS, PasswordResetResource::sendLink),
           post("/api/v1/reset-password", ANONYMOUS, PasswordResetResource::replacePassword),
           get("/api/v1/openapi.json", SIGNED_IN, OpenApiResource::get),
@@ -218,16 +228,21 @@ public final class Routes {
           post("/api/v1/robots/{name}/home", MANAGER, RobotResource::sendHome),
           post("/api/v1/robots/{name}/pair", MANAGER, RobotResource::pair),
           get("/api/v1/users", SIGNED_IN, UsersResource::list),
-          post("/api/v1/users", MANAGER, UsersResource::add),
+          post("/api/v1/users", MANAGER, UsersResource::add).with(EVERY_SITE),
           get("/api/v1/users/{id}", SIGNED_IN, UserResource::get),
-          put("/api/v1/users/{id}", MANAGER, UserResource::change),
-          delete("/api/v1/users/{id}", MANAGER, UserResource::delete),
-          post("/api/v1/users/{id}/password", SIGNED_IN, UserResource::changePassword),
-          post("/api/v1/users/{id}/email", SIGNED_IN, UserResource::changeEmail),
+          put("/api/v1/users/{id}", MANAGER, UserResource::change).with(EVERY_SITE),
+          delete("/api/v1/users/{id}", MANAGER, UserResource::delete).with(EVERY_SITE),
+          post("/api/v1/users/{id}/password", SIGNED_IN, UserResource::changePassword)
+              .with(EVERY_SITE),
+          post("/api/v1/users/{id}/email", SIGNED_IN, UserResource::changeEmail).with(EVERY_SITE),
           get("/api/v1/users/{id}/sessions", SIGNED_IN, UserResource::sessions),
-          delete("/api/v1/users/{id}/sessions/{session}", SIGNED_IN, UserResource::endSession),
+          delete("/api/v1/users/{id}/sessions/{session}", SIGNED_IN, UserResource::endSession)
+              .with(EVERY_SITE),
           post("/api/v1/users/{id}/tokens", SIGNED_IN, UserResource::createToken),
-          post("/api/v1/users/{id}/reset-link", MANAGER, UserResource::createLink),
+          post("/api/v1/users/{id}/reset-link", MANAGER, UserResource::createLink).with(EVERY_SITE),
+          get("/api/v1/sites", ADMINISTRATOR, SitesResource::list).with(OWN_SITE),
+          post("/api/v1/sites", ADMINISTRATOR, SitesResource::add).with(OWN_SITE),
+          delete("/api/v1/sites/{site}", ADMINISTRATOR, SitesResource::remove).with(OWN_SITE),
           get("/api/v1/tracks", CLERK, TracksResource::get),
           get("/api/v1/tracks/{name}", CLERK, TrackResource::get),
           get("/api/v1/robots/{name}/battery", CLERK, BatteryResource::get),
@@ -284,7 +299,7 @@ public final class Routes {
     if (path.equals("/api/v1/metrics")) {
       return Scope.METRICS;
     }
-    if (path.startsWith("/api/v1/users")) {
+    if (path.startsWith("/api/v1/users") || path.startsWith("/api/v1/sites")) {
       return Scope.MANAGE;
     }
     if (method.equals("GET")) {

@@ -65,7 +65,7 @@ final class AttackRun implements AutoCloseable {
     settings.put(Setting.MAIL_PORT, String.valueOf(mail.getSmtp().getPort()));
     settings.put(Setting.MAIL_SECURITY, "none");
     settings.put(Setting.MAIL_FROM, "toqa@example.org");
-    settings.put(Setting.SITE, "https://toqa.example.org");
+    settings.put(Setting.URL, "https://toqa.example.org");
     settings.put(Setting.GATEWAYS_TRUSTED, "dock=" + "0".repeat(64));
     settings.put(Setting.GATEWAYS_PORT, "0");
     server = AttackedServer.start(data, settings);

@@ -77,6 +77,7 @@ final class AttackedServer implements AutoCloseable {
 
   private final LogRecording log;
   private final WebServer web;
+  private final SiteServers sites;
   private final FleetServer toqa;
   private final WebServer.RunningWebapp site;
   private final Connection database;
@@ -102,8 +103,9 @@ final class AttackedServer implements AutoCloseable {
             WebappFolder.shippedMap(WEBAPP), List.of(SettingSource.fromCommandLine(settings)));
     log = LogRecording.start();
     web = WebServer.bind(WEBAPP, configuration);
-    toqa = FleetServer.start(configuration, CheapPassword.hasher());
-    site = web.open(toqa);
+    sites = SiteServers.start(configuration, CheapPassword.hasher());
+    toqa = sites.firstServer();
+    site = web.open(sites);
     database = DriverManager.getConnection(configuration.database().url());
     secrets.add(WebTestServer.PASSWORD);
     secrets.add(WebTestServer.PASSWORD_HASH);
@@ -204,7 +206,7 @@ final class AttackedServer implements AutoCloseable {
     try (log) {
       database.close();
       site.close();
-      toqa.close();
+      sites.close();
       web.close();
       assertTrue(log.lines().stream().anyMatch(line -> line.contains("The first manager is")));
       assertTrue(secrets.size() > 4, "few secrets were used");

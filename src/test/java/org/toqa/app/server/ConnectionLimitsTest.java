@@ -211,16 +211,16 @@ class ConnectionLimitsTest {
         Configuration.of(
             WebappFolder.shippedMap(WEBAPP), List.of(SettingSource.fromCommandLine(settings)));
     WebServer web = WebServer.bind(WEBAPP, configuration);
-    FleetServer toqa = FleetServer.start(configuration);
+    SiteServers toqa = SiteServers.start(configuration);
     return new Server(web, toqa, web.open(toqa));
   }
 
   private final class Server implements AutoCloseable {
     private final WebServer web;
-    private final FleetServer toqa;
+    private final SiteServers toqa;
     private final WebServer.RunningWebapp site;
 
-    Server(WebServer web, FleetServer toqa, WebServer.RunningWebapp site) {
+    Server(WebServer web, SiteServers toqa, WebServer.RunningWebapp site) {
       this.web = web;
       this.toqa = toqa;
       this.site = site;

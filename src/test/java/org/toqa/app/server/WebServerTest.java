@@ -35,7 +35,7 @@ class WebServerTest {
     Configuration configuration = onPort(0);
     URI address;
     try (WebServer web = WebServer.bind(WEBAPP, configuration);
-        FleetServer toqa = FleetServer.start(configuration)) {
+        SiteServers toqa = SiteServers.start(configuration)) {
       try (WebServer.RunningWebapp site = web.open(toqa)) {
         address = site.uri();
         assertEquals(200, get(address).statusCode());
@@ -50,7 +50,7 @@ class WebServerTest {
   void theLauncherAndTheClassesAreNoPages() throws Exception {
     Configuration configuration = onPort(0);
     try (WebServer web = WebServer.bind(WEBAPP, configuration);
-        FleetServer toqa = FleetServer.start(configuration);
+        SiteServers toqa = SiteServers.start(configuration);
         WebServer.RunningWebapp site = web.open(toqa)) {
       for (String path :
           List.of("org/toqa/launch/Launcher.class", "META-INF/MANIFEST.MF", "WEB-INF/web.xml")) {
@@ -79,7 +79,7 @@ class WebServerTest {
     TestCertificate certificate = TestCertificate.in(folder, "toqa");
     Configuration configuration = with(certificate.file(), certificate.key());
     try (WebServer web = WebServer.bind(WEBAPP, configuration);
-        FleetServer toqa = FleetServer.start(configuration);
+        SiteServers toqa = SiteServers.start(configuration);
         WebServer.RunningWebapp site = web.open(toqa);
         HttpClient client =
             HttpClient.newBuilder().sslContext(certificate.trustingNoOther()).build()) {
@@ -119,7 +119,7 @@ class WebServerTest {
           Configuration.of(
               WebappFolder.shippedMap(WEBAPP), List.of(SettingSource.fromCommandLine(options)));
       try (WebServer web = WebServer.bind(WEBAPP, configuration);
-          FleetServer toqa = FleetServer.start(configuration);
+          SiteServers toqa = SiteServers.start(configuration);
           WebServer.RunningWebapp site = web.open(toqa);
           HttpClient client = HttpClient.newHttpClient()) {
         HttpResponse<String> answer =

@@ -8,36 +8,27 @@ import java.io.IOException;
 import java.net.http.HttpHeaders;
 import java.net.http.HttpRequest.BodyPublishers;
 import java.net.http.HttpResponse;
-import java.nio.file.Files;
-import java.nio.file.Path;
 import java.util.EnumMap;
 import java.util.List;
 import java.util.Map;
-import java.util.Set;
 import java.util.stream.Stream;
+import org.junit.jupiter.api.AfterAll;
+import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.toqa.accounts.Account;
+import org.toqa.accounts.Role;
 import org.toqa.accounts.Scope;
 import org.toqa.web.TestClient;
 import org.toqa.web.WebServerTest;
 import org.toqa.web.WebTestServer;
+import org.toqa.web.route.Rights.Right;
 import tools.jackson.databind.json.JsonMapper;
 
 /** Every route against every kind of client, and what every answer must have. */
 class AccessTest extends WebServerTest {
-  /**
-   * Who may do what, written by hand: a method, a path, and the status for a client that is not
-   * signed in, a clerk and a manager. Each sends an order without fields, for what does not exist.
-   */
-  private static final Path RIGHTS = Path.of("src/test/resources/web/rights.txt");
-
-  /** Whoever sends these proves himself by what is in them. */
-  private static final Set<String> WITHOUT_TOKEN =
-      Set.of("/api/v1/session", "/api/v1/forgotten-password", "/api/v1/reset-password");
-
   /** Beside the policy of contents, in every answer. */
   private static final Map<String, String> SECURITY_HEADERS =
       Map.of(
@@ -47,76 +38,59 @@ class AccessTest extends WebServerTest {
           "Cross-Origin-Opener-Policy", "same-origin",
           "Cross-Origin-Resource-Policy", "same-origin");
 
+  private static final String ADMINISTRATOR = "Ada";
+
   private static final JsonMapper JSON = new JsonMapper();
 
   private final Map<Scope, String> tokens = new EnumMap<>(Scope.class);
-
-  /** A line of the table. */
-  record Right(
-      String method,
-      String path,
-      String ofAnonymous,
-      String ofClerk,
-      String ofManager,
-      String scope) {
-
-    boolean needsScope() {
-      return Scope.ofWord(scope).isPresent();
-    }
-
-    boolean isApi() {
-      return path.startsWith("/api/v1/");
-    }
-
-    boolean needsToken() {
-      return !method.equals("GET") && !(method.equals("POST") && WITHOUT_TOKEN.contains(path));
-    }
-
-    boolean endsSession() {
-      return path.equals("/logout") || (path.equals("/api/v1/session") && method.equals("DELETE"));
-    }
-  }
-
-  static List<Right> rights() throws IOException {
-    return Files.readAllLines(RIGHTS).stream()
-        .filter(line -> !line.isBlank() && !line.startsWith("#"))
-        .map(line -> line.split(" +"))
-        .map(
-            word ->
-                new Right(
-                    word[0], word[1], word[2], word[3], word[4], word.length > 5 ? word[5] : ""))
-        .toList();
-  }
 
   @Test
   void everyRouteHasItsLineInTheTable() throws IOException {
     assertEquals(
         Routes.all().stream().map(route -> route.method() + " " + route.path()).sorted().toList(),
-        rights().stream().map(right -> right.method() + " " + right.path()).sorted().toList());
+        Rights.all().stream().map(right -> right.method() + " " + right.path()).sorted().toList());
+  }
+
+  private TestClient administrator;
+
+  @BeforeAll
+  void addAdministrator() {
+    server.addUser(ADMINISTRATOR, null, Role.ADMINISTRATOR);
+    administrator = TestClient.signedIn(server.root(), ADMINISTRATOR);
+  }
+
+  @AfterAll
+  void closeAdministrator() {
+    administrator.close();
+  }
+
+  static List<Right> rights() throws IOException {
+    return Rights.all();
   }
 
   @ParameterizedTest
   @MethodSource("rights")
   void everyRouteIsForThoseOfTheTable(Right right) {
     assertEquals(
-        List.of(right.ofAnonymous(), right.ofClerk(), right.ofManager()),
+        List.of(right.ofAnonymous(), right.ofClerk(), right.ofManager(), right.ofAdministrator()),
         Stream.of(
                 anonymous,
                 clientFor(clerk, WebTestServer.CLERK, right),
-                clientFor(manager, WebTestServer.MANAGER, right))
-            .map(client -> answer(client, right))
+                clientFor(manager, WebTestServer.MANAGER, right),
+                clientFor(administrator, ADMINISTRATOR, right))
+            .map(client -> Rights.answer(client, right))
             .toList());
   }
 
   @Test
   void everyCallOfTheApiSaysWhichTokensOpenIt() throws IOException {
-    for (Right right : rights()) {
+    for (Right right : Rights.all()) {
       assertEquals(right.isApi(), !right.scope().isEmpty(), right.method() + " " + right.path());
     }
   }
 
   static List<Right> calls() throws IOException {
-    return rights().stream().filter(Right::needsScope).toList();
+    return Rights.all().stream().filter(Right::needsScope).toList();
   }
 
   /** What the token's user may, with the scope of the table and no other. */
@@ -125,7 +99,7 @@ class AccessTest extends WebServerTest {
   void everyCallIsOpenForTokensOfItsScopeOnly(Right right) {
     for (Scope scope : Scope.values()) {
       assertEquals(
-          scope.word().equals(right.scope()) ? right.ofManager() : "403",
+          scope.word().equals(right.scope()) ? right.ofAdministrator() : "403",
           String.valueOf(byToken(token(scope), right).statusCode()),
           "with a token for " + scope);
     }
@@ -135,7 +109,7 @@ class AccessTest extends WebServerTest {
     String method = right.path().equals("/api/v1/events") ? "HEAD" : right.method();
     return anonymous.send(
         anonymous
-            .request(path(right))
+            .request(Rights.path(right))
             .header("Authorization", "Bearer " + token)
             .header("Content-Type", "application/json")
             .method(
@@ -146,17 +120,17 @@ class AccessTest extends WebServerTest {
             .build());
   }
 
-  /** A token of the manager, of that scope alone. */
+  /** A token of the administrator, of that scope alone. */
   private String token(Scope scope) {
     return tokens.computeIfAbsent(
         scope,
         wanted -> {
-          Account max = server.accounts().accountByName(WebTestServer.MANAGER).orElseThrow();
+          Account user = server.accounts().accountByName(ADMINISTRATOR).orElseThrow();
           String order =
               "{\"name\":\"ci\",\"days\":1,\"scopes\":[\"%s\"],\"password\":\"%s\"}"
                   .formatted(wanted.word(), WebTestServer.PASSWORD);
           HttpResponse<String> made =
-              manager.postJson("api/v1/users/" + max.id() + "/tokens", order);
+              administrator.postJson("api/v1/users/" + user.id() + "/tokens", order);
           assertEquals(201, made.statusCode(), made.body());
           return JSON.readTree(made.body()).get("token").stringValue();
         });
@@ -168,7 +142,7 @@ class AccessTest extends WebServerTest {
   }
 
   static List<Right> writes() throws IOException {
-    return rights().stream().filter(Right::needsToken).toList();
+    return Rights.all().stream().filter(Right::needsToken).toList();
   }
 
   @ParameterizedTest
@@ -177,7 +151,7 @@ class AccessTest extends WebServerTest {
     HttpResponse<String> answer =
         manager.send(
             manager
-                .request(path(right))
+                .request(Rights.path(right))
                 .header(
                     "Content-Type",
                     right.isApi() ? "application/json" : "application/x-www-form-urlencoded")
@@ -287,33 +261,5 @@ class AccessTest extends WebServerTest {
     assertEquals(204, manager.sendJson("DELETE", path, "").statusCode());
     assertEquals(404, manager.get(path).statusCode());
     assertEquals(404, manager.sendJson("DELETE", path, "").statusCode());
-  }
-
-  private static String answer(TestClient client, Right right) {
-    HttpResponse<String> response = response(client, right);
-    String target = response.headers().firstValue("Location").orElse("");
-    return target.matches("/(\\?.*)?") ? "login" : String.valueOf(response.statusCode());
-  }
-
-  private static HttpResponse<String> response(TestClient client, Right right) {
-    if (right.method().equals("GET")) {
-      // the stream of events would not end
-      return client.send(right.path().equals("/api/v1/events") ? "HEAD" : "GET", path(right));
-    }
-    return right.isApi()
-        ? client.sendJson(right.method(), path(right), "{}")
-        : client.post(path(right), Map.of());
-  }
-
-  private static String path(Right right) {
-    return right
-        .path()
-        .substring(1)
-        .replace("{id}", "999999")
-        .replace("{language}", "en")
-        .replace("{name}", "none")
-        .replace("{session}", "999999")
-        .replace("{floor}", "none")
-        .replace("*", "css/base.css");
   }
 }

@@ -1,0 +1,53 @@
+package org.toqa.app.server;
+
+import com.github.benmanes.caffeine.cache.Ticker;
+import java.time.InstantSource;
+import java.util.concurrent.atomic.AtomicReference;
+import org.jspecify.annotations.Nullable;
+import org.toqa.accounts.LoginThrottle;
+import org.toqa.accounts.PasswordHasher;
+import org.toqa.app.config.Configuration;
+import org.toqa.sim.SimulatedFleet;
+import org.toqa.web.AllowedHosts;
+import org.toqa.web.ConcurrencyLimits;
+import org.toqa.web.RequestLimit;
+
+/**
+ * What all sites of a server have in common: its limits, which are of callers and addresses, and
+ * the work on passwords.
+ *
+ * @param throttle of guesses at all sites together
+ * @param simulated the robots that live in this process, once they do
+ */
+record SharedParts(
+    PasswordHasher passwords,
+    LoginThrottle throttle,
+    RequestLimit requestLimit,
+    ConcurrencyLimits concurrency,
+    AllowedHosts hosts,
+    InstantSource clock,
+    AtomicReference<@Nullable SimulatedFleet> simulated) {
+
+  static SharedParts of(Configuration configuration, PasswordHasher passwords) {
+    InstantSource wallClock = InstantSource.system();
+    Configuration.Limits limits = configuration.limits();
+    return new SharedParts(
+        passwords,
+        new LoginThrottle(new SteadyClock(wallClock.instant(), System::nanoTime)),
+        new RequestLimit(configuration.requestsPerSecond(), Ticker.systemTicker()),
+        ConcurrencyLimits.of(
+            limits.requestsAtOnce(),
+            limits.streamsPerUser(),
+            limits.streamsPerAddress(),
+            limits.connections()),
+        new AllowedHosts(configuration.hosts()),
+        wallClock,
+        new AtomicReference<>());
+  }
+
+  /** Whether one of the robots that live in this process listens on that port of loopback. */
+  boolean isSimulated(int port) {
+    SimulatedFleet robots = simulated.get();
+    return robots != null && robots.isListeningOn(port);
+  }
+}
