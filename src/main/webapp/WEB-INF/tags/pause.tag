@@ -13,8 +13,8 @@
           <input type="hidden" name="back" value="<c:out value="${address}"/>">
           <button class="danger"><fmt:message key="pause.all"/></button>
         </form>
+        <small class="faint"><fmt:message key="pause.notSafety"/></small>
       </c:if>
-      <small class="faint"><fmt:message key="pause.notSafety"/></small>
     </c:when>
     <c:otherwise>
       <p role="status"><strong><fmt:message key="pause.paused"/></strong>${" "}<fmt:message key="pause.by"><fmt:param><bdi><c:out value="${pause.user}"/></bdi></fmt:param></fmt:message>${" "}<t:time at="${pause.since}"/>${" "}· <small><fmt:message key="pause.notSafety"/></small></p>

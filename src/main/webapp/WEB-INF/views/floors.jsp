@@ -14,6 +14,7 @@
     <c:if test="${caller.isAdministrator()}"><a href="${root}/sites"><fmt:message key="sites.title"/></a></c:if>
   </div>
   <c:if test="${param.done == 'added'}"><p class="notice good" role="status"><fmt:message key="floors.done.added"/></p></c:if>
+  <c:if test="${param.done == 'dismissed'}"><p class="notice good" role="status"><fmt:message key="floors.done.dismissed"/></p></c:if>
   <c:if test="${param.done == 'removed'}"><p class="notice good" role="status"><fmt:message key="floors.done.removed"/></p></c:if>
   <c:forEach items="${refusals}" var="refusal"><p class="notice bad" role="alert"><c:out value="${refusal}"/></p></c:forEach>
   <table class="stacks">
@@ -59,6 +60,28 @@
       </c:forEach>
     </tbody>
   </table>
+  <c:set var="isAnySeen" value="false"/>
+  <c:forEach items="${entries}" var="entry"><c:if test="${not empty entry.seen}"><c:set var="isAnySeen" value="true"/></c:if></c:forEach>
+  <c:if test="${caller.mayManage() and isAnySeen}">
+    <article class="card">
+      <h2><fmt:message key="floors.seen"/></h2>
+      <p class="faint"><fmt:message key="floors.seen.intro"/></p>
+      <ul class="seen">
+        <c:forEach items="${entries}" var="entry">
+          <c:forEach items="${entry.seen}" var="seen">
+            <fmt:formatNumber value="${seen.x}" minFractionDigits="2" maxFractionDigits="2" var="x"/>
+            <fmt:formatNumber value="${seen.y}" minFractionDigits="2" maxFractionDigits="2" var="y"/>
+            <c:set var="target" value="${root}/floors/${entry.segment()}/seen/${seen.id}"/>
+            <li>
+              <span><c:set var="floorName"><c:out value="${entry.summary.name}"/></c:set><c:set var="seenBy"><c:out value="${seen.robots}"/></c:set><fmt:message key="floors.seen.at"><fmt:param value="${floorName}"/><fmt:param value="${x}"/><fmt:param value="${y}"/><fmt:param value="${seenBy}"/></fmt:message>; <fmt:message key="floors.seen.since"/> <t:time at="${seen.since}"/>, <fmt:message key="floors.seen.last"/> <t:time at="${seen.last}"/></span>
+              <form method="post" action="<c:out value="${target}"/>/draw"><t:csrf/><button><fmt:message key="floors.seen.draw"/></button></form>
+              <form method="post" action="<c:out value="${target}"/>/dismiss"><t:csrf/><button class="outline secondary"><fmt:message key="floors.seen.dismiss"/></button></form>
+            </li>
+          </c:forEach>
+        </c:forEach>
+      </ul>
+    </article>
+  </c:if>
   <c:if test="${caller.mayManage()}">
     <article class="card">
       <h2><fmt:message key="floors.add"/></h2>

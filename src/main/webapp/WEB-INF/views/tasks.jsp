@@ -17,8 +17,10 @@
       <a role="button" class="outline secondary" href="${root}/history"><fmt:message key="tasks.history"/></a>
       <a role="button" class="outline secondary" href="${root}/loads"><fmt:message key="loads.title"/></a>
       <a role="button" class="outline secondary" href="${root}/schedules"><fmt:message key="tasks.schedules"/></a>
-      <a role="button" class="outline secondary" href="${root}/tasks/import"><fmt:message key="tasks.import"/></a>
-      <a role="button" href="${root}/tasks/new"><fmt:message key="tasks.new"/></a>
+      <c:if test="${not caller.isVisitor()}">
+        <a role="button" class="outline secondary" href="${root}/tasks/import"><fmt:message key="tasks.import"/></a>
+        <a role="button" href="${root}/tasks/new"><fmt:message key="tasks.new"/></a>
+      </c:if>
     </div>
   </div>
   <c:if test="${not empty imported}"><p class="notice good" role="status"><fmt:message key="tasks.imported"><fmt:param value="${imported}"/></fmt:message></p></c:if>

@@ -15,6 +15,7 @@ import org.toqa.fleet.ScheduleStore;
 import org.toqa.fleet.TaskArchive;
 import org.toqa.fleet.TaskTraces;
 import org.toqa.fleet.history.EventArchive;
+import org.toqa.fleet.history.SeenPlaces;
 import org.toqa.fleet.history.StatisticsArchive;
 import org.toqa.fleet.history.TrackStore;
 
@@ -33,6 +34,7 @@ public record Services(
     TrackStore tracks,
     ScheduleStore schedules,
     StatisticsArchive statistics,
+    SeenPlaces seenPlaces,
     AccountStore accounts,
     SessionStore sessions,
     PasswordLinks passwordLinks,

@@ -67,6 +67,7 @@ class CrashIT {
     order.put("size", Map.of("length", 0.6, "width", 0.5));
     List<Long> tasks = new ArrayList<>();
     for (int i = 0; i < DOORS.size(); i++) {
+      order.put("load", 1 + i); // the next one would fetch one like it where it is set down
       tasks.add(server.api().post("tasks", order).get("id").asLong());
     }
     for (int i = 0; i < DOORS.size(); i++) {

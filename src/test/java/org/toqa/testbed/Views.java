@@ -8,6 +8,7 @@ import org.toqa.fleet.FloorView;
 import org.toqa.fleet.FloorView.ChargerShortage;
 import org.toqa.fleet.FloorView.FaultyCharger;
 import org.toqa.fleet.FloorView.LeftLoad;
+import org.toqa.fleet.FloorView.SeenObstacle;
 import org.toqa.fleet.FloorView.StandstillView;
 import org.toqa.fleet.Hold;
 import org.toqa.fleet.TaskView;
@@ -43,6 +44,23 @@ public final class Views {
         leftLoads,
         chargerShortage,
         List.of(),
+        List.of(),
+        List.of(),
+        Hall.floor().version());
+  }
+
+  /** A floor where robots see these, and nothing else is. */
+  public static FloorView floorWith(String name, List<SeenObstacle> seen) {
+    return new FloorView(
+        name,
+        null,
+        CellRuns.NONE,
+        Map.of(),
+        List.of(),
+        List.of(),
+        List.of(),
+        null,
+        seen,
         List.of(),
         List.of(),
         Hall.floor().version());

@@ -11,6 +11,7 @@ import java.time.Duration;
 import java.time.InstantSource;
 import java.util.Comparator;
 import java.util.List;
+import java.util.Map;
 import java.util.Set;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.stream.Stream;
@@ -36,6 +37,7 @@ import org.toqa.accounts.SessionStore;
 import org.toqa.accounts.Site;
 import org.toqa.fleet.EventRecord;
 import org.toqa.fleet.SnapshotFeed;
+import org.toqa.fleet.history.SeenPlaces;
 import org.toqa.store.Database;
 import org.toqa.store.JdbiAccountStore;
 import org.toqa.store.JdbiEventArchive;
@@ -88,6 +90,7 @@ public final class WebTestServer implements AutoCloseable {
 
   private final AtomicLong sessionQueries = new AtomicLong();
   private final TestFleet fleet;
+  private final SeenPlaces seenPlaces = new SeenPlaces(Map.of());
   private final TestMailbox mailbox = new TestMailbox();
   private final FirstStartCode firstStartCode = FirstStartCode.random();
   private final AccountStore accounts;
@@ -224,6 +227,7 @@ public final class WebTestServer implements AutoCloseable {
             tracks,
             schedules,
             new JdbiStatisticsArchive(jdbi),
+            seenPlaces,
             accounts,
             sessions,
             links,
@@ -239,6 +243,11 @@ public final class WebTestServer implements AutoCloseable {
     store = new JdbiFleetStore(jdbi);
     baseDir = Files.createTempDirectory("toqa-web-test");
     startTomcat(port, services);
+  }
+
+  /** What robots saw; the fleet of this server sees nothing by itself. */
+  public SeenPlaces seenPlaces() {
+    return seenPlaces;
   }
 
   private static Metrics metrics(SnapshotFeed snapshots) {

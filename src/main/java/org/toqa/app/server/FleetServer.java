@@ -26,6 +26,8 @@ import org.toqa.fleet.Fleet;
 import org.toqa.fleet.FleetRules;
 import org.toqa.fleet.PeriodicWork;
 import org.toqa.fleet.SnapshotFeed;
+import org.toqa.fleet.history.SeenPlaces;
+import org.toqa.fleet.history.SightingRecorder;
 import org.toqa.fleet.history.TrackRecorder;
 import org.toqa.fleet.history.UtilisationRecorder;
 import org.toqa.fleet.manager.AgentFleet;
@@ -49,6 +51,7 @@ import org.toqa.store.JdbiPasswordResetStore;
 import org.toqa.store.JdbiScheduleStore;
 import org.toqa.store.JdbiServerRuns;
 import org.toqa.store.JdbiSessionStore;
+import org.toqa.store.JdbiSightingStore;
 import org.toqa.store.JdbiSiteStore;
 import org.toqa.store.JdbiStatisticsArchive;
 import org.toqa.store.JdbiTaskTraces;
@@ -215,6 +218,9 @@ public final class FleetServer implements AutoCloseable {
             new JdbiUtilisationStore(database.jdbi()),
             wallClock,
             configuration.simulationSpeed()));
+    JdbiSightingStore sightings = new JdbiSightingStore(database.jdbi());
+    SeenPlaces seenPlaces = new SeenPlaces(sightings.sightings());
+    parts.push(new SightingRecorder(fleet, seenPlaces, sightings, wallClock));
     RetentionJob retention =
         new RetentionJob(
             new HistoryPruner(database.jdbi()),
@@ -235,6 +241,7 @@ public final class FleetServer implements AutoCloseable {
             new JdbiTrackStore(database.readers()),
             schedules,
             new JdbiStatisticsArchive(database.readers()),
+            seenPlaces,
             accounts,
             sessions,
             passwordLinks,

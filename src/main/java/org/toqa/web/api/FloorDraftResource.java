@@ -24,17 +24,6 @@ public final class FloorDraftResource extends ApiHandler {
   /** Whole numbers that JSON keeps. */
   private static final double MAX_REVISION = 1L << 53;
 
-  /**
-   * @param revision 0: there is no draft
-   * @param user who changed it last
-   */
-  private record RevisionJson(
-      String floor, long revision, @Nullable String user, @Nullable Instant at) {
-    static RevisionJson of(FloorDraft draft) {
-      return new RevisionJson(draft.floor(), draft.revision(), draft.user(), draft.at());
-    }
-  }
-
   private record DraftJson(
       String floor,
       long revision,
@@ -74,7 +63,7 @@ public final class FloorDraftResource extends ApiHandler {
         FleetAnswers.await(
             editing(request)
                 .saveDraft(floor, order.drawing(), order.revision(), Caller.of(request).name()));
-    Json.send(request, response, 200, RevisionJson.of(currentValue(request, answer)));
+    Json.send(request, response, 200, DraftRevisionJson.of(currentValue(request, answer)));
   }
 
   public static void discard(HttpServletRequest request, HttpServletResponse response)

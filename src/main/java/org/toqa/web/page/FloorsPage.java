@@ -8,12 +8,14 @@ import java.io.IOException;
 import java.io.InputStream;
 import java.net.URLEncoder;
 import java.nio.charset.StandardCharsets;
+import java.time.Instant;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import org.toqa.fleet.Answer;
 import org.toqa.fleet.Fleet;
+import org.toqa.fleet.history.SeenPlaces.Offer;
 import org.toqa.grid.FloorMap;
 import org.toqa.grid.MapFormatException;
 import org.toqa.grid.MapLimits;
@@ -28,10 +30,29 @@ import org.toqa.web.input.Fields;
 import org.toqa.web.input.FloorFiles;
 import org.toqa.web.input.FloorOrder;
 import org.toqa.web.input.FloorOrderReader;
+import org.toqa.web.input.SeenPlaceCommands;
 
 /** All floors; managers add some and delete some. */
 public final class FloorsPage extends PageHandler {
   private static final String FILE = "file";
+
+  /**
+   * What robots saw, as the page shows it.
+   *
+   * @param x of its middle, metres
+   * @param y of its middle, metres
+   */
+  public record Seen(String id, double x, double y, String robots, Instant since, Instant last) {
+    static Seen of(Offer offer) {
+      return new Seen(
+          offer.id(),
+          offer.centre().x(),
+          offer.centre().y(),
+          String.join(", ", offer.robots()),
+          offer.since(),
+          offer.last());
+    }
+  }
 
   /**
    * A floor as the page shows it.
@@ -39,13 +60,14 @@ public final class FloorsPage extends PageHandler {
    * @param width metres
    * @param height metres
    */
-  public record Entry(FloorSummary summary, double width, double height) {
+  public record Entry(FloorSummary summary, double width, double height, List<Seen> seen) {
     static Entry of(FloorMap floor, Services services) {
       double resolution = floor.grid().resolution();
       return new Entry(
           FloorSummary.of(floor, services),
           floor.grid().width() * resolution,
-          floor.grid().height() * resolution);
+          floor.grid().height() * resolution,
+          services.seenPlaces().offers(floor).stream().map(Seen::of).toList());
     }
 
     /** The floor's name in addresses. */
@@ -147,6 +169,48 @@ public final class FloorsPage extends PageHandler {
       }
     }
     return files;
+  }
+
+  /** Draws what robots saw into the draft, and shows it there. */
+  public static void drawSeen(HttpServletRequest request, HttpServletResponse response)
+      throws ServletException, IOException {
+    String floor = RequestPath.parameter(request, "floor");
+    showUnlessDone(
+        new SeenPlaceCommands(services(request))
+            .draw(floor, RequestPath.parameter(request, "id"), Caller.of(request).name()),
+        "/floors/" + segment(floor) + "/edit",
+        request,
+        response);
+  }
+
+  public static void dismissSeen(HttpServletRequest request, HttpServletResponse response)
+      throws ServletException, IOException {
+    showUnlessDone(
+        new SeenPlaceCommands(services(request))
+            .dismiss(RequestPath.parameter(request, "floor"), RequestPath.parameter(request, "id")),
+        "/floors?done=dismissed",
+        request,
+        response);
+  }
+
+  /**
+   * @param next where the browser goes when it is done
+   */
+  private static void showUnlessDone(
+      Answer<?> answer, String next, HttpServletRequest request, HttpServletResponse response)
+      throws ServletException, IOException {
+    if (answer instanceof Answer.Unknown<?>) {
+      sendNotFound(request, response, "floors.seen.gone");
+      return;
+    }
+    FieldErrors errors = new FieldErrors();
+    if (acceptedValue(request, answer, errors).isPresent()) {
+      redirect(request, response, next);
+      return;
+    }
+    addEntries(request);
+    request.setAttribute("refusals", List.copyOf(errors.sentences().values()));
+    showConflict(request, response, "floors", new FieldErrors());
   }
 
   public static void remove(HttpServletRequest request, HttpServletResponse response)

@@ -45,6 +45,7 @@ import org.toqa.web.api.RobotResource;
 import org.toqa.web.api.RobotsResource;
 import org.toqa.web.api.ScheduleResource;
 import org.toqa.web.api.SchedulesResource;
+import org.toqa.web.api.SeenPlacesResource;
 import org.toqa.web.api.SessionResource;
 import org.toqa.web.api.SitesResource;
 import org.toqa.web.api.StatisticsCsvResource;
@@ -151,6 +152,8 @@ public final class Routes {
           post("/floors", MANAGER, FloorsPage::add).with(MULTIPART),
           get("/floors/{floor}/edit", MANAGER, FloorEditorPage::show),
           post("/floors/{floor}/delete", MANAGER, FloorsPage::remove),
+          post("/floors/{floor}/seen/{id}/draw", MANAGER, FloorsPage::drawSeen),
+          post("/floors/{floor}/seen/{id}/dismiss", MANAGER, FloorsPage::dismissSeen),
           post("/floors/{floor}/hold", MANAGER, FloorForms::hold).with(URGENT),
           post("/floors/{floor}/resume", MANAGER, FloorForms::resume),
           post("/floors/{floor}/allocator", MANAGER, FloorForms::allocator),
@@ -264,6 +267,9 @@ public final class Routes {
           delete("/api/v1/floors/{floor}/draft", MANAGER, FloorDraftResource::discard),
           post("/api/v1/floors/{floor}/draft/check", MANAGER, FloorDraftResource::check),
           post("/api/v1/floors/{floor}/draft/publish", MANAGER, FloorDraftResource::publish),
+          get("/api/v1/floors/{floor}/seen", CLERK, SeenPlacesResource::list),
+          post("/api/v1/floors/{floor}/seen/{id}/draw", MANAGER, SeenPlacesResource::draw),
+          post("/api/v1/floors/{floor}/seen/{id}/dismiss", MANAGER, SeenPlacesResource::dismiss),
           post("/api/v1/floors/{floor}/hold", MANAGER, FloorResource::hold).with(URGENT),
           post("/api/v1/floors/{floor}/resume", MANAGER, FloorResource::resume),
           post("/api/v1/floors/{floor}/allocator", MANAGER, FloorResource::allocator));

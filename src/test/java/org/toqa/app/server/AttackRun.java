@@ -79,6 +79,7 @@ final class AttackRun implements AutoCloseable {
     places.put("self", String.valueOf(server.userId(AttackedServer.MANAGER)));
     places.put("clerk", String.valueOf(server.userId(AttackedServer.CLERK)));
     places.put("floor", "lab");
+    places.put("site", "none");
     places.put("name", "Absent");
     String robot = "{\"name\":\"Absent\",\"host\":\"127.0.0.1\",\"port\":9,\"maxLoad\":50}";
     assertEquals(201, manager.postJson("api/v1/robots", robot).statusCode());
@@ -226,6 +227,12 @@ final class AttackRun implements AutoCloseable {
     String segment = URLEncoder.encode(name.strip(), StandardCharsets.UTF_8).replace("+", "%20");
     expectStatus(
         204, manager.sendJson("DELETE", "api/v1/floors/" + segment, ""), "removing " + name);
+  }
+
+  void removeSite(String name) {
+    String segment = URLEncoder.encode(name.strip(), StandardCharsets.UTF_8);
+    expectStatus(
+        204, manager.sendJson("DELETE", "api/v1/sites/" + segment, ""), "removing " + name);
   }
 
   void addFault(String fault) {

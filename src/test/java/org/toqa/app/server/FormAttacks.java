@@ -46,7 +46,11 @@ final class FormAttacks {
           "/robots/{name}/home",
           "/robots/{name}/resume",
           "/floors/{floor}/resume",
-          "/floors/{floor}/delete");
+          "/floors/{floor}/seen/{id}/draw",
+          "/floors/{floor}/seen/{id}/dismiss",
+          "/floors/{floor}/delete",
+          "/sites/{site}/visit",
+          "/sites/{site}/delete");
 
   /** Attacked cell by cell. */
   private static final Set<String> ELSEWHERE = Set.of("/tasks/import");
@@ -159,6 +163,9 @@ final class FormAttacks {
     }
     if (answer.statusCode() == 303 && form.route().equals("/floors")) {
       run.removeFloor(values.getOrDefault("name", ""));
+    }
+    if (answer.statusCode() == 303 && form.route().equals("/sites")) {
+      run.removeSite(values.getOrDefault("name", ""));
     }
     if (form.route().equals("/fleet/pause")) {
       HttpResponse<String> resumed =

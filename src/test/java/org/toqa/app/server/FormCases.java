@@ -149,6 +149,11 @@ final class FormCases {
                 refused("host", "port", "maxLoad", "parking", "gateway"),
                 Map.of("version", CONFLICT))),
         FormCase.of(
+            "sites",
+            "/sites",
+            Map.of("name", "north{n}", "manager", "Nora", "password", WebTestServer.PASSWORD),
+            and(refused("name", "manager"), Map.of("password", PASSWORD))),
+        FormCase.of(
             "users",
             "/users",
             Map.of("name", "New{n}", "password", WebTestServer.PASSWORD),

@@ -131,6 +131,8 @@ final class OrderAttacks {
         run.tasks().cancel(task.get("id").asLong());
       } else if (order.path().equals("floors")) {
         run.removeFloor(body.get("name").asString());
+      } else if (order.path().equals("sites")) {
+        run.removeSite(body.get("name").asString());
       } else if (order.path().equals("orders")) {
         JSON.readTree(answer.body())
             .get("tasks")

@@ -128,6 +128,11 @@ final class OrderCases {
             Map.of("/name", REFUSED, "/password", PASSWORD, "/role", REFUSED, "/email", REFUSED),
             201),
         post(
+            "sites",
+            "{'name':'site{n}','manager':'Nora','password':'{password}'}",
+            Map.of("/name", REFUSED, "/manager", REFUSED, "/password", PASSWORD),
+            201),
+        post(
             "floors",
             "{'name':'Floor{n}','width':3,'height':3,'resolution':1}",
             Map.of("/name", NAME_IN_ADDRESS),

@@ -1,6 +1,7 @@
 package org.toqa.web.api;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.awt.image.BufferedImage;
@@ -10,7 +11,10 @@ import java.net.http.HttpRequest.BodyPublishers;
 import java.net.http.HttpResponse;
 import java.net.http.HttpResponse.BodyHandlers;
 import java.nio.charset.StandardCharsets;
+import java.time.Duration;
+import java.time.Instant;
 import java.util.Arrays;
+import java.util.BitSet;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
@@ -19,9 +23,14 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.toqa.fleet.FloorView.SeenObstacle;
 import org.toqa.fleet.RobotState;
+import org.toqa.grid.Cell;
+import org.toqa.grid.CellRuns;
+import org.toqa.grid.FloorMap;
 import org.toqa.grid.MapArchive;
 import org.toqa.testbed.Hall;
+import org.toqa.testbed.Views;
 import org.toqa.web.WebServerTest;
 import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.json.JsonMapper;
@@ -321,5 +330,41 @@ class ApiFloorsTest extends WebServerTest {
   private static JsonNode answer(HttpResponse<String> answer, int status) {
     assertEquals(status, answer.statusCode(), answer.body());
     return JSON.readTree(answer.body());
+  }
+
+  @Test
+  void whatRobotsSawIsDrawnIntoTheDraftOrDismissed() {
+    FloorMap hall = Hall.floor();
+    Cell cell = new Cell(15, 9);
+    Instant now = Instant.now();
+    seen(hall, cell, now.minus(Duration.ofHours(2)), "r1");
+    seen(hall, cell, now, "r2");
+    JsonNode offer = get("floors/hall/seen", 200).get(0);
+    assertEquals(hall.grid().centre(cell).x(), offer.at("/cells/0/x").asDouble(), 1e-9);
+    assertTrue(manager.get("floors").body().contains("r1, r2"), "on the page");
+    assertFalse(clerk.get("floors").body().contains("/seen/"), "it is the manager's");
+    String path = "floors/hall/seen/" + offer.get("id").asString();
+
+    JsonNode drawn = post(path + "/draw", "", 200);
+    JsonNode draft = get("floors/hall/draft", 200);
+    assertEquals(drawn.get("revision"), draft.get("revision"));
+    assertTrue(
+        draft.at("/drawing/occupied").toString().contains(String.valueOf(hall.grid().index(cell))),
+        draft::toString);
+    assertEquals(204, manager.sendJson("DELETE", "api/v1/floors/hall/draft", "").statusCode());
+
+    assertEquals(204, manager.postJson("api/v1/" + path + "/dismiss", "").statusCode());
+    assertEquals(0, get("floors/hall/seen", 200).size());
+    post(path + "/dismiss", "", 404);
+    post(path + "/draw", "", 404);
+  }
+
+  private void seen(FloorMap floor, Cell cell, Instant at, String robot) {
+    BitSet cells = new BitSet();
+    cells.set(floor.grid().index(cell));
+    SeenObstacle obstacle = new SeenObstacle(CellRuns.of(cells), List.of(robot), at, at, false);
+    server
+        .seenPlaces()
+        .observe(floor, Views.floorWith(floor.name(), List.of(obstacle)), List.of(), at);
   }
 }

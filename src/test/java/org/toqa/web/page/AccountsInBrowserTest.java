@@ -45,7 +45,7 @@ class AccountsInBrowserTest extends PagesInBrowser {
       page.navigate(empty.root() + "users");
       assertThat(page.locator("tbody tr")).hasCount(1);
       assertThat(page.locator("tbody tr")).containsText("Ada");
-      assertThat(page.locator("tbody tr")).containsText("Manager");
+      assertThat(page.locator("tbody tr")).containsText("Administrator");
       click(button(page, "Log out"));
       assertThat(page.locator("h1")).hasText("Log in");
       page.navigate(empty.root() + "first-start");
