@@ -73,7 +73,7 @@
             <fmt:formatNumber value="${seen.y}" minFractionDigits="2" maxFractionDigits="2" var="y"/>
             <c:set var="target" value="${root}/floors/${entry.segment()}/seen/${seen.id}"/>
             <li>
-              <span><c:set var="floorName"><c:out value="${entry.summary.name}"/></c:set><c:set var="seenBy"><c:out value="${seen.robots}"/></c:set><fmt:message key="floors.seen.at"><fmt:param value="${floorName}"/><fmt:param value="${x}"/><fmt:param value="${y}"/><fmt:param value="${seenBy}"/></fmt:message>; <fmt:message key="floors.seen.since"/> <t:time at="${seen.since}"/>, <fmt:message key="floors.seen.last"/> <t:time at="${seen.last}"/></span>
+              <span><c:set var="floorName"><c:out value="${entry.summary.name}"/></c:set><c:set var="seenBy"><c:out value="${seen.robots}"/></c:set><fmt:message key="floors.seen.at"><fmt:param value="${floorName}"/><fmt:param value="${x}, ${y}"/><fmt:param value="${seenBy}"/></fmt:message>; <fmt:message key="floors.seen.since"/> <t:time at="${seen.since}"/>, <fmt:message key="floors.seen.last"/> <t:time at="${seen.last}"/></span>
               <form method="post" action="<c:out value="${target}"/>/draw"><t:csrf/><button><fmt:message key="floors.seen.draw"/></button></form>
               <form method="post" action="<c:out value="${target}"/>/dismiss"><t:csrf/><button class="outline secondary"><fmt:message key="floors.seen.dismiss"/></button></form>
             </li>

@@ -22,8 +22,13 @@ public final class FleetAnswers {
    *     still have been stored
    */
   public static <T> T await(CompletionStage<T> answer) {
+    return await(answer, TIMEOUT);
+  }
+
+  /** The same for what takes its time, such as a database that is made. */
+  public static <T> T await(CompletionStage<T> answer, Duration limit) {
     try {
-      return answer.toCompletableFuture().get(TIMEOUT.toMillis(), TimeUnit.MILLISECONDS);
+      return answer.toCompletableFuture().get(limit.toMillis(), TimeUnit.MILLISECONDS);
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
       throw new FleetUnavailableException(e);

@@ -15,6 +15,9 @@ import org.toqa.fleet.Answer;
  * context. Any thread may ask.
  */
 public interface Sites {
+  /** How long a site may take to be made: its database is, on a small computer. */
+  Duration ADD_LIMIT = Duration.ofMinutes(2);
+
   /** The servlet context's attribute that holds the sites. */
   String ATTRIBUTE = Sites.class.getName();
 

@@ -87,6 +87,7 @@ class H2CompactorTest {
   void fileThatGrowsIsMadeSmallAtOnce() throws Exception {
     Path file = folder.resolve("toqa.mv.db");
     open().close();
+    long empty = Files.size(file); // the tables alone
     Jdbi jdbi = Jdbi.create(H2Url.withSettings(Database.fileUrl(folder.resolve("toqa"))));
     DatabaseTypes.register(jdbi);
     try (Handle keepsItOpen = jdbi.open();
@@ -97,7 +98,7 @@ class H2CompactorTest {
         store.saveDrive("r1", drive(i));
         compactor.look();
         long size = Files.size(file);
-        assertTrue(size < LARGEST_FILE_IN_USE, size + " bytes after commit " + i);
+        assertTrue(size - empty < LARGEST_FILE_IN_USE, size + " bytes after commit " + i);
       }
       assertFalse(keepsItOpen.isClosed());
     }

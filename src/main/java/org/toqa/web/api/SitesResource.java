@@ -40,7 +40,8 @@ public final class SitesResource extends ApiHandler {
                         order.name(),
                         order.manager(),
                         services(request).passwordHasher().hash(order.password()),
-                        Caller.of(request).name())));
+                        Caller.of(request).name()),
+                Sites.ADD_LIMIT));
     String segment = URLEncoder.encode(added.name(), StandardCharsets.UTF_8).replace("+", "%20");
     response.setHeader("Location", request.getContextPath() + "/api/v1/sites/" + segment);
     Json.send(request, response, HttpServletResponse.SC_CREATED, added);

@@ -60,7 +60,8 @@ public final class SitesPage extends PageHandler {
                     order.name(),
                     order.manager(),
                     services(request).passwordHasher().hash(order.password()),
-                    Caller.of(request).name())),
+                    Caller.of(request).name()),
+            Sites.ADD_LIMIT),
         errors);
   }
 
