@@ -16,6 +16,15 @@ public record CellRuns(List<Integer> runs) {
     runs = List.copyOf(runs);
   }
 
+  /** The same set, bits by {@link OccupancyGrid#index}. */
+  public BitSet cells() {
+    BitSet cells = new BitSet();
+    for (int i = 0; i + 1 < runs.size(); i += 2) {
+      cells.set(runs.get(i), runs.get(i) + runs.get(i + 1));
+    }
+    return cells;
+  }
+
   /**
    * The same set.
    *

@@ -2,6 +2,8 @@ package org.toqa.web;
 
 import jakarta.servlet.ServletRequest;
 import jakarta.servlet.http.HttpServletRequest;
+import java.net.URLEncoder;
+import java.nio.charset.StandardCharsets;
 import java.util.Map;
 import java.util.Objects;
 
@@ -44,6 +46,11 @@ public final class RequestPath {
   public static long number(ServletRequest request, String name) {
     String given = parameter(request, name);
     return given.matches(NUMBER) ? Long.parseLong(given) : 0;
+  }
+
+  /** A name as a segment of an address. */
+  public static String segment(String name) {
+    return URLEncoder.encode(name, StandardCharsets.UTF_8).replace("+", "%20");
   }
 
   /** Where the browser found these pages, without a slash at its end. */

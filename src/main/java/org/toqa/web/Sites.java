@@ -15,6 +15,9 @@ import org.toqa.fleet.Answer;
  * context. Any thread may ask.
  */
 public interface Sites {
+  /** No name with its site is longer. */
+  int LONGEST_LOGIN = 200;
+
   /** How long a site may take to be made: its database is, on a small computer. */
   Duration ADD_LIMIT = Duration.ofMinutes(2);
 
@@ -68,7 +71,7 @@ public interface Sites {
   /** {@code NAME}, or {@code NAME@SITE}; in the first site a name may have an @ itself. */
   default Login login(String typed) {
     String given = typed.strip();
-    int at = given.lastIndexOf('@');
+    int at = given.length() > LONGEST_LOGIN ? -1 : given.lastIndexOf('@');
     if (at > 0 && first().accounts().accountByName(given).isEmpty()) {
       Optional<Services> named = find(Site.key(given.substring(at + 1)));
       if (named.isPresent()) {

@@ -119,7 +119,7 @@ public final class FleetServer implements AutoCloseable {
    * @throws IOException the map or the database cannot be used, or a robot cannot be simulated; the
    *     message says what to do
    */
-  static FleetServer start(Site site, Configuration configuration, SharedParts shared)
+  static FleetServer start(Site site, Configuration configuration, ServerParts shared)
       throws IOException {
     Deque<AutoCloseable> parts = new ArrayDeque<>();
     try {
@@ -131,7 +131,7 @@ public final class FleetServer implements AutoCloseable {
   }
 
   private static FleetServer start(
-      Site site, Configuration configuration, SharedParts shared, Deque<AutoCloseable> parts)
+      Site site, Configuration configuration, ServerParts shared, Deque<AutoCloseable> parts)
       throws IOException {
     PrivateFolder.create(configuration.data());
     Database database = openDatabase(configuration.database());

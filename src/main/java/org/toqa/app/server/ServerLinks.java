@@ -32,7 +32,7 @@ final class ServerLinks {
   static RobotLinkFactory open(
       Site site,
       Configuration configuration,
-      SharedParts shared,
+      ServerParts shared,
       VirtualClock clock,
       Deque<AutoCloseable> parts)
       throws IOException {

@@ -38,7 +38,7 @@ public final class SiteServers implements Sites, AutoCloseable {
   private static final Logger log = LoggerFactory.getLogger(SiteServers.class);
 
   private final Configuration configuration;
-  private final SharedParts shared;
+  private final ServerParts shared;
   private final FleetServer first;
   private final SiteStore store;
 
@@ -57,7 +57,7 @@ public final class SiteServers implements Sites, AutoCloseable {
    */
   private record Entry(Site site, @Nullable FleetServer server, @Nullable String failure) {}
 
-  private SiteServers(Configuration configuration, SharedParts shared, FleetServer first) {
+  private SiteServers(Configuration configuration, ServerParts shared, FleetServer first) {
     this.configuration = configuration;
     this.shared = shared;
     this.first = first;
@@ -74,7 +74,7 @@ public final class SiteServers implements Sites, AutoCloseable {
 
   static SiteServers start(Configuration configuration, PasswordHasher passwords)
       throws IOException {
-    SharedParts shared = SharedParts.of(configuration, passwords);
+    ServerParts shared = ServerParts.of(configuration, passwords);
     Site site = new Site(Site.FIRST_ID, "main");
     FleetServer first = FleetServer.start(site, configuration, shared);
     SiteServers sites = new SiteServers(configuration, shared, first);

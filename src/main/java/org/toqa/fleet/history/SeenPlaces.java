@@ -14,7 +14,6 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.TreeMap;
 import java.util.TreeSet;
-import java.util.stream.Stream;
 import org.toqa.fleet.FloorView;
 import org.toqa.fleet.FloorView.SeenObstacle;
 import org.toqa.fleet.RobotState;
@@ -108,7 +107,7 @@ public final class SeenPlaces {
     Set<Spot> seen = new HashSet<>();
     for (SeenObstacle obstacle : view.seen()) {
       if (!obstacle.isDoubted()) {
-        cells(obstacle.cells().runs())
+        obstacle.cells().cells().stream()
             .forEach(index -> seen.add(see(Spot.of(floor, grid.cell(index)), obstacle)));
       }
     }
@@ -121,16 +120,6 @@ public final class SeenPlaces {
                     entry.getKey().floor().equals(floor.name())
                         && !seen.contains(entry.getKey())
                         && isOver(entry.getKey(), entry.getValue(), grid, robots, now));
-  }
-
-  private static Stream<Integer> cells(List<Integer> runs) {
-    List<Integer> cells = new ArrayList<>();
-    for (int i = 0; i < runs.size(); i += 2) {
-      for (int j = 0; j < runs.get(i + 1); j++) {
-        cells.add(runs.get(i) + j);
-      }
-    }
-    return cells.stream();
   }
 
   private Spot see(Spot spot, SeenObstacle obstacle) {

@@ -1,12 +1,9 @@
 package org.toqa.web.access;
 
-import jakarta.servlet.http.Cookie;
 import jakarta.servlet.http.HttpServletRequest;
 import jakarta.servlet.http.HttpServletResponse;
 import java.time.Duration;
-import java.util.Arrays;
 import java.util.Optional;
-import java.util.stream.Stream;
 import org.toqa.web.Language;
 
 /** The language that a browser was told to keep to. */
@@ -17,21 +14,14 @@ public final class LanguageCookie {
   private LanguageCookie() {}
 
   static Optional<Language> of(HttpServletRequest request) {
-    Cookie[] cookies = request.getCookies();
-    return (cookies == null ? Stream.<Cookie>empty() : Arrays.stream(cookies))
-        .filter(cookie -> cookie.getName().equals(NAME))
-        .flatMap(cookie -> Language.ofTag(cookie.getValue()).stream())
+    return Cookies.values(request, NAME)
+        .flatMap(value -> Language.ofTag(value).stream())
         .findFirst();
   }
 
   public static void set(
       HttpServletRequest request, HttpServletResponse response, Language language) {
-    Cookie cookie = new Cookie(NAME, language.tag());
-    cookie.setPath(request.getContextPath() + "/");
-    cookie.setMaxAge(Math.toIntExact(LIFETIME.toSeconds()));
-    cookie.setHttpOnly(true);
-    cookie.setSecure(request.isSecure());
-    cookie.setAttribute("SameSite", "Lax");
-    response.addCookie(cookie);
+    Cookies.add(
+        request, response, "/", NAME, language.tag(), Math.toIntExact(LIFETIME.toSeconds()));
   }
 }

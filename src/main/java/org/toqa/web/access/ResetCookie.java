@@ -1,11 +1,8 @@
 package org.toqa.web.access;
 
-import jakarta.servlet.http.Cookie;
 import jakarta.servlet.http.HttpServletRequest;
 import jakarta.servlet.http.HttpServletResponse;
-import java.util.Arrays;
 import java.util.Optional;
-import java.util.stream.Stream;
 import org.toqa.accounts.Secret;
 
 /**
@@ -18,32 +15,22 @@ public final class ResetCookie {
   private ResetCookie() {}
 
   public static Optional<String> of(HttpServletRequest request) {
-    Cookie[] cookies = request.getCookies();
-    return (cookies == null ? Stream.<Cookie>empty() : Arrays.stream(cookies))
-        .filter(cookie -> cookie.getName().equals(NAME))
-        .map(Cookie::getValue)
-        .findFirst();
+    return Cookies.values(request, NAME).findFirst();
   }
 
   /**
    * @param secret as it was given; what cannot be one is not kept
    */
   public static void set(HttpServletRequest request, HttpServletResponse response, String secret) {
-    add(request, response, Secret.isWellFormed(secret) ? secret : "none", -1);
+    add(request, response, Secret.isWellFormed(secret) ? secret : "none", Cookies.OF_SESSION);
   }
 
   public static void remove(HttpServletRequest request, HttpServletResponse response) {
-    add(request, response, "", 0);
+    add(request, response, "", Cookies.GONE);
   }
 
   private static void add(
       HttpServletRequest request, HttpServletResponse response, String value, int maxAge) {
-    Cookie cookie = new Cookie(NAME, value);
-    cookie.setPath(request.getContextPath() + "/reset");
-    cookie.setHttpOnly(true);
-    cookie.setSecure(request.isSecure());
-    cookie.setMaxAge(maxAge);
-    cookie.setAttribute("SameSite", "Lax");
-    response.addCookie(cookie);
+    Cookies.add(request, response, "/reset", NAME, value, maxAge);
   }
 }

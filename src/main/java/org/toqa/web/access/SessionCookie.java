@@ -1,11 +1,8 @@
 package org.toqa.web.access;
 
-import jakarta.servlet.http.Cookie;
 import jakarta.servlet.http.HttpServletRequest;
 import jakarta.servlet.http.HttpServletResponse;
-import java.util.Arrays;
 import java.util.Optional;
-import java.util.stream.Stream;
 import org.toqa.accounts.Account;
 import org.toqa.accounts.Secret;
 import org.toqa.accounts.Session;
@@ -22,12 +19,7 @@ public final class SessionCookie {
   private SessionCookie() {}
 
   static Optional<String> of(HttpServletRequest request) {
-    Cookie[] cookies = request.getCookies();
-    return (cookies == null ? Stream.<Cookie>empty() : Arrays.stream(cookies))
-        .filter(cookie -> cookie.getName().equals(NAME))
-        .map(Cookie::getValue)
-        .filter(Secret::isWellFormed)
-        .findFirst();
+    return Cookies.values(request, NAME).filter(Secret::isWellFormed).findFirst();
   }
 
   /** The browser's secret; one that has none gets one. */
@@ -62,11 +54,6 @@ public final class SessionCookie {
   }
 
   private static void set(HttpServletRequest request, HttpServletResponse response, String secret) {
-    Cookie cookie = new Cookie(NAME, secret);
-    cookie.setPath(request.getContextPath() + "/");
-    cookie.setHttpOnly(true);
-    cookie.setSecure(request.isSecure());
-    cookie.setAttribute("SameSite", "Lax");
-    response.addCookie(cookie);
+    Cookies.add(request, response, "/", NAME, secret, Cookies.OF_SESSION);
   }
 }

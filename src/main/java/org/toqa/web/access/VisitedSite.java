@@ -1,11 +1,8 @@
 package org.toqa.web.access;
 
-import jakarta.servlet.http.Cookie;
 import jakarta.servlet.http.HttpServletRequest;
 import jakarta.servlet.http.HttpServletResponse;
-import java.util.Arrays;
 import java.util.Optional;
-import java.util.stream.Stream;
 
 /**
  * Which site an administrator wants to look at: a program says so in a header of each request, a
@@ -26,10 +23,7 @@ public final class VisitedSite {
 
   /** The id that the browser keeps, if it keeps any. */
   public static Optional<Long> kept(HttpServletRequest request) {
-    Cookie[] cookies = request.getCookies();
-    return (cookies == null ? Stream.<Cookie>empty() : Arrays.stream(cookies))
-        .filter(cookie -> cookie.getName().equals(COOKIE))
-        .map(Cookie::getValue)
+    return Cookies.values(request, COOKIE)
         .filter(value -> value.matches("[1-9][0-9]{0,8}"))
         .map(Long::valueOf)
         .findFirst();
@@ -37,24 +31,18 @@ public final class VisitedSite {
 
   /** From now on the browser's pages show that site. */
   public static void keep(HttpServletRequest request, HttpServletResponse response, long site) {
-    add(request, response, String.valueOf(site), -1);
+    add(request, response, String.valueOf(site), Cookies.OF_SESSION);
   }
 
   /** From now on the browser's pages show the user's own site. */
   public static void forget(HttpServletRequest request, HttpServletResponse response) {
     if (kept(request).isPresent()) {
-      add(request, response, "", 0);
+      add(request, response, "", Cookies.GONE);
     }
   }
 
   private static void add(
       HttpServletRequest request, HttpServletResponse response, String value, int maxAge) {
-    Cookie cookie = new Cookie(COOKIE, value);
-    cookie.setPath(request.getContextPath() + "/");
-    cookie.setHttpOnly(true);
-    cookie.setSecure(request.isSecure());
-    cookie.setMaxAge(maxAge);
-    cookie.setAttribute("SameSite", "Lax");
-    response.addCookie(cookie);
+    Cookies.add(request, response, "/", COOKIE, value, maxAge);
   }
 }

@@ -3,8 +3,6 @@ package org.toqa.web.api;
 import jakarta.servlet.http.HttpServletRequest;
 import jakarta.servlet.http.HttpServletResponse;
 import java.io.IOException;
-import java.net.URLEncoder;
-import java.nio.charset.StandardCharsets;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
@@ -58,7 +56,7 @@ public final class FloorFilesResource extends ApiHandler {
   private static void send(
       HttpServletResponse response, String mediaType, String fileName, byte[] content)
       throws IOException {
-    String encoded = URLEncoder.encode(fileName, StandardCharsets.UTF_8).replace("+", "%20");
+    String encoded = RequestPath.segment(fileName);
     response.setContentType(mediaType);
     response.setHeader(
         "Content-Disposition",

@@ -3,11 +3,10 @@ package org.toqa.web.api;
 import jakarta.servlet.http.HttpServletRequest;
 import jakarta.servlet.http.HttpServletResponse;
 import java.io.IOException;
-import java.net.URLEncoder;
-import java.nio.charset.StandardCharsets;
 import org.toqa.grid.FloorMap;
 import org.toqa.web.FleetAnswers;
 import org.toqa.web.FloorSummary;
+import org.toqa.web.RequestPath;
 import org.toqa.web.access.Caller;
 import org.toqa.web.input.FloorOrder;
 import org.toqa.web.input.FloorOrderReader;
@@ -31,8 +30,9 @@ public final class FloorsResource extends ApiHandler {
                     .fleet()
                     .floorEditing()
                     .addFloor(order.name(), order.drawing(), Caller.of(request).name())));
-    String segment = URLEncoder.encode(added.name(), StandardCharsets.UTF_8).replace("+", "%20");
-    response.setHeader("Location", request.getContextPath() + "/api/v1/floors/" + segment);
+    response.setHeader(
+        "Location",
+        request.getContextPath() + "/api/v1/floors/" + RequestPath.segment(added.name()));
     Json.send(
         request,
         response,

@@ -3,11 +3,10 @@ package org.toqa.web.api;
 import jakarta.servlet.http.HttpServletRequest;
 import jakarta.servlet.http.HttpServletResponse;
 import java.io.IOException;
-import java.net.URLEncoder;
-import java.nio.charset.StandardCharsets;
 import org.toqa.fleet.RobotOrder;
 import org.toqa.fleet.RobotView;
 import org.toqa.web.FleetAnswers;
+import org.toqa.web.RequestPath;
 import org.toqa.web.access.Caller;
 import org.toqa.web.input.RobotOrderReader;
 
@@ -36,9 +35,7 @@ public final class RobotsResource extends ApiHandler {
                 services(request).fleet().addRobot(order, Caller.of(request).name())));
     response.setHeader(
         "Location",
-        request.getContextPath()
-            + "/api/v1/robots/"
-            + URLEncoder.encode(robot.name(), StandardCharsets.UTF_8));
+        request.getContextPath() + "/api/v1/robots/" + RequestPath.segment(robot.name()));
     Json.send(request, response, HttpServletResponse.SC_CREATED, RobotJson.of(robot));
   }
 }

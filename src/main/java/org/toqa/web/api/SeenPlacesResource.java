@@ -10,7 +10,6 @@ import org.toqa.fleet.history.SeenPlaces.Offer;
 import org.toqa.geometry.Vec2;
 import org.toqa.grid.FloorMap;
 import org.toqa.web.RequestPath;
-import org.toqa.web.Texts;
 import org.toqa.web.access.Caller;
 import org.toqa.web.input.SeenPlaceCommands;
 
@@ -28,12 +27,7 @@ public final class SeenPlacesResource extends ApiHandler {
 
   public static void list(HttpServletRequest request, HttpServletResponse response)
       throws IOException {
-    String name = RequestPath.parameter(request, "floor");
-    FloorMap floor =
-        services(request).fleet().floors().stream()
-            .filter(each -> each.name().equals(name))
-            .findFirst()
-            .orElseThrow(() -> Problem.of(404, Texts.of(request).get("floors.gone")).exception());
+    FloorMap floor = FloorFilesResource.floorOfPath(request);
     Json.send(
         request,
         response,

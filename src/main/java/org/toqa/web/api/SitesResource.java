@@ -3,8 +3,6 @@ package org.toqa.web.api;
 import jakarta.servlet.http.HttpServletRequest;
 import jakarta.servlet.http.HttpServletResponse;
 import java.io.IOException;
-import java.net.URLEncoder;
-import java.nio.charset.StandardCharsets;
 import org.toqa.web.FleetAnswers;
 import org.toqa.web.RequestPath;
 import org.toqa.web.SiteSummary;
@@ -31,19 +29,10 @@ public final class SitesResource extends ApiHandler {
     SiteOrder order = SiteOrder.read(fields);
     fields.refuseUnknown();
     throwIfAny(errors);
-    SiteSummary added =
-        acceptedValue(
-            request,
-            FleetAnswers.await(
-                sites(request)
-                    .add(
-                        order.name(),
-                        order.manager(),
-                        services(request).passwordHasher().hash(order.password()),
-                        Caller.of(request).name()),
-                Sites.ADD_LIMIT));
-    String segment = URLEncoder.encode(added.name(), StandardCharsets.UTF_8).replace("+", "%20");
-    response.setHeader("Location", request.getContextPath() + "/api/v1/sites/" + segment);
+    SiteSummary added = acceptedValue(request, order.place(request, Caller.of(request).name()));
+    response.setHeader(
+        "Location",
+        request.getContextPath() + "/api/v1/sites/" + RequestPath.segment(added.name()));
     Json.send(request, response, HttpServletResponse.SC_CREATED, added);
   }
 

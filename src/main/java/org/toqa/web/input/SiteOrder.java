@@ -1,5 +1,12 @@
 package org.toqa.web.input;
 
+import jakarta.servlet.http.HttpServletRequest;
+import org.toqa.fleet.Answer;
+import org.toqa.web.FleetAnswers;
+import org.toqa.web.Services;
+import org.toqa.web.SiteSummary;
+import org.toqa.web.Sites;
+
 /**
  * A site that somebody wants to make, with its first manager.
  *
@@ -16,6 +23,17 @@ public record SiteOrder(String name, String manager, String password) {
     String manager = rules.userName("manager", fields.text("manager"));
     return new SiteOrder(
         name, manager, rules.newPassword("password", fields.text("password"), manager));
+  }
+
+  /**
+   * Has it made.
+   *
+   * @param by who does it
+   */
+  public Answer<SiteSummary> place(HttpServletRequest request, String by) {
+    String hash = Services.of(request).passwordHasher().hash(password);
+    return FleetAnswers.await(
+        Sites.of(request.getServletContext()).add(name, manager, hash, by), Sites.ADD_LIMIT);
   }
 
   /** Without the password, so that it reaches no log. */

@@ -17,7 +17,7 @@ public final class FloorEditorPage extends PageHandler {
       return;
     }
     request.setAttribute("floor", floor);
-    request.setAttribute("segment", FloorsPage.segment(floor));
+    request.setAttribute("segment", RequestPath.segment(floor));
     request.setAttribute("slowest", FloorLimits.SLOWEST);
     request.setAttribute("fastest", FloorLimits.FASTEST);
     request.setAttribute("longestName", FloorLimits.LONGEST_NAME);

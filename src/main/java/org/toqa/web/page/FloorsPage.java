@@ -6,8 +6,6 @@ import jakarta.servlet.http.HttpServletResponse;
 import jakarta.servlet.http.Part;
 import java.io.IOException;
 import java.io.InputStream;
-import java.net.URLEncoder;
-import java.nio.charset.StandardCharsets;
 import java.time.Instant;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -72,13 +70,8 @@ public final class FloorsPage extends PageHandler {
 
     /** The floor's name in addresses. */
     public String segment() {
-      return FloorsPage.segment(summary.name());
+      return RequestPath.segment(summary.name());
     }
-  }
-
-  /** A floor's name in addresses. */
-  public static String segment(String floor) {
-    return URLEncoder.encode(floor, StandardCharsets.UTF_8).replace("+", "%20");
   }
 
   public static void show(HttpServletRequest request, HttpServletResponse response)
@@ -178,7 +171,7 @@ public final class FloorsPage extends PageHandler {
     showUnlessDone(
         new SeenPlaceCommands(services(request))
             .draw(floor, RequestPath.parameter(request, "id"), Caller.of(request).name()),
-        "/floors/" + segment(floor) + "/edit",
+        "/floors/" + RequestPath.segment(floor) + "/edit",
         request,
         response);
   }

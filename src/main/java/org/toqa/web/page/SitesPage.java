@@ -41,28 +41,17 @@ public final class SitesPage extends PageHandler {
       throws ServletException, IOException {
     FieldErrors errors = new FieldErrors();
     Optional<SiteSummary> added =
-        readForm(request, errors, SiteOrder::read).flatMap(order -> add(order, request, errors));
+        readForm(request, errors, SiteOrder::read)
+            .flatMap(
+                order ->
+                    acceptedValue(
+                        request, order.place(request, Caller.of(request).name()), errors));
     if (added.isPresent()) {
       redirect(request, response, "/sites?done=added");
     } else {
       addSites(request);
       showAgain(request, response, "sites", errors);
     }
-  }
-
-  private static Optional<SiteSummary> add(
-      SiteOrder order, HttpServletRequest request, FieldErrors errors) {
-    return acceptedValue(
-        request,
-        FleetAnswers.await(
-            sites(request)
-                .add(
-                    order.name(),
-                    order.manager(),
-                    services(request).passwordHasher().hash(order.password()),
-                    Caller.of(request).name()),
-            Sites.ADD_LIMIT),
-        errors);
   }
 
   /** From now on the pages of this browser show that site. */

@@ -19,7 +19,7 @@ import org.toqa.web.RequestLimit;
  * @param throttle of guesses at all sites together
  * @param simulated the robots that live in this process, once they do
  */
-record SharedParts(
+record ServerParts(
     PasswordHasher passwords,
     LoginThrottle throttle,
     RequestLimit requestLimit,
@@ -28,10 +28,10 @@ record SharedParts(
     InstantSource clock,
     AtomicReference<@Nullable SimulatedFleet> simulated) {
 
-  static SharedParts of(Configuration configuration, PasswordHasher passwords) {
+  static ServerParts of(Configuration configuration, PasswordHasher passwords) {
     InstantSource wallClock = InstantSource.system();
     Configuration.Limits limits = configuration.limits();
-    return new SharedParts(
+    return new ServerParts(
         passwords,
         new LoginThrottle(new SteadyClock(wallClock.instant(), System::nanoTime)),
         new RequestLimit(configuration.requestsPerSecond(), Ticker.systemTicker()),
