@@ -178,6 +178,7 @@ public final class AgentFleet implements Fleet, AutoCloseable {
     try {
       startAll(floorStore.floors());
     } catch (RuntimeException e) {
+      editor.close();
       close(floors.all());
       throw e;
     }

@@ -6,8 +6,8 @@ import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionStage;
-import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
+import java.util.concurrent.ScheduledExecutorService;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.BiFunction;
@@ -52,6 +52,9 @@ import org.toqa.wording.Sentence;
  *   <li>The floor's agents end, and others go on from the store, as after a crash: robots drive
  *       what was released to them, and are planned anew on the new map.
  * </ol>
+ *
+ * Where the store falls silent before the last step is done, the floor stands until the store
+ * answers again.
  */
 final class FloorEditor implements FloorEditing, AutoCloseable {
   private static final Logger log = LoggerFactory.getLogger(FloorEditor.class);
@@ -64,7 +67,7 @@ final class FloorEditor implements FloorEditing, AutoCloseable {
   private final SharedParts shared;
   private final Consumer<FloorMap> starter;
   private final BiFunction<FloorEntry, FloorMap, FloorFleet> restarter;
-  private final ExecutorService changes;
+  private final ScheduledExecutorService changes;
 
   /**
    * @param starter starts a new floor and adds it to the directory
@@ -87,7 +90,14 @@ final class FloorEditor implements FloorEditing, AutoCloseable {
     this.restarter = restarter;
     // a thread of its own, since it waits for agents to start and to end
     this.changes =
-        Executors.newSingleThreadExecutor(Thread.ofPlatform().daemon().name("floors").factory());
+        Executors.newSingleThreadScheduledExecutor(
+            Thread.ofPlatform().daemon().name("floors").factory());
+    var _ =
+        changes.scheduleWithFixedDelay(
+            this::startThoseThatAwaitStore,
+            RETRY.toMillis(),
+            RETRY.toMillis(),
+            TimeUnit.MILLISECONDS);
   }
 
   /** Where the store does not answer nothing is begun, so that no floor waits for it. */
@@ -334,10 +344,22 @@ final class FloorEditor implements FloorEditing, AutoCloseable {
           () -> stored.filter(map -> !map.drawing().equals(entry.map().drawing())),
           map -> restarter.apply(entry, map));
     } catch (StoreException e) {
-      CompletableFuture.delayedExecutor(RETRY.toMillis(), TimeUnit.MILLISECONDS)
-          .execute(() -> changes.execute(() -> reconcile(entry)));
+      var _ = changes.schedule(() -> reconcile(entry), RETRY.toMillis(), TimeUnit.MILLISECONDS);
     } catch (IllegalStateException e) {
       log.error("{}", e.getMessage(), e);
+    }
+  }
+
+  private void startThoseThatAwaitStore() {
+    for (FloorEntry entry : floors.all()) {
+      if (entry.awaitsStore() && shared.storeHealth().isAvailable()) {
+        try {
+          entry.startAgain(map -> restarter.apply(entry, map));
+          log.info("The floor {} has started.", entry.name());
+        } catch (RuntimeException e) { // else it would be the last try
+          log.warn("{}", e.getMessage());
+        }
+      }
     }
   }
 

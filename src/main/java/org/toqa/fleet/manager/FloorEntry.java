@@ -41,6 +41,9 @@ final class FloorEntry {
   /** Why they could not be started; null: they could. */
   private volatile @Nullable Sentence startFailure;
 
+  /** Whether that was since the store did not answer. */
+  private volatile boolean awaitsStore;
+
   /** Whom calls go to; guarded by this. */
   private Term term = new Term();
 
@@ -87,6 +90,11 @@ final class FloorEntry {
     return failure != null
         ? List.of(failure)
         : agents().map(FloorFleet::failures).orElse(List.of());
+  }
+
+  /** Whether its agents could not be started since the store did not answer. */
+  boolean awaitsStore() {
+    return awaitsStore;
   }
 
   /** Asks its agents, when they have started. */
@@ -141,12 +149,34 @@ final class FloorEntry {
       FloorFleet started = starter.get();
       agents = started;
       startFailure = null;
+      awaitsStore = false;
       begun.asked.complete(started);
     } catch (RuntimeException e) {
+      awaitsStore = isOfStore(e);
       startFailure = Phrase.FLOOR_CANNOT_START.with(name(), String.valueOf(e.getMessage()));
       begun.asked.completeExceptionally(e);
       throw e;
     }
+  }
+
+  private static boolean isOfStore(Throwable failure) {
+    for (Throwable cause = failure; cause != null; cause = cause.getCause()) {
+      if (cause instanceof StoreException) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  /**
+   * Starts agents where none could be started before.
+   *
+   * @throws IllegalStateException they cannot start; whoever asks them is told so
+   */
+  void startAgain(Function<FloorMap, FloorFleet> starter) {
+    Term begun = new Term();
+    var _ = beginEnding(begun);
+    start(begun, () -> starter.apply(map));
   }
 
   /**
