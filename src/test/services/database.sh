@@ -110,13 +110,14 @@ initialise_mysql() (
   mysql_server --initialize-insecure
 )
 
-# Who kills it loses nothing of what it has written, also where the disk has not.
+# Who kills it loses nothing of what it has written, also where the disk has not. On a machine that
+# does much at once a client may take long to log in.
 run_mysql() {
   mysql_server --plugin-dir="$cache/mysql/root/usr/lib/mysql/plugin" \
     --character-sets-dir="$cache/mysql/root/usr/share/mysql/charsets" \
     --port="$port" --bind-address=127.0.0.1 --socket="$database_folder/socket" \
     --mysqlx=OFF --secure-file-priv=NULL --performance-schema=OFF \
-    --innodb-flush-log-at-trx-commit=2 --sync-binlog=0
+    --innodb-flush-log-at-trx-commit=2 --sync-binlog=0 --connect-timeout=300
 }
 
 mariadb_server() {
@@ -138,5 +139,6 @@ initialise_mariadb() (
 # Under its own version Connector/J takes MariaDB 10 for a MySQL 5.5 and drops fractions of seconds.
 run_mariadb() {
   mariadb_server --version=5.7.19-MariaDB --skip-grant-tables \
-    --port="$port" --bind-address=127.0.0.1 --socket="$database_folder/socket"
+    --port="$port" --bind-address=127.0.0.1 --socket="$database_folder/socket" \
+    --connect-timeout=300
 }

@@ -92,7 +92,7 @@ public final class Database implements AutoCloseable {
     compaction =
         compactor == null
             ? null
-            : new PeriodicWork("h2-compactor", H2Compactor.LOOK_INTERVAL, compactor::look);
+            : new PeriodicWork("h2-compactor", H2Compactor.INTERVAL, compactor::compact);
   }
 
   private Pool pool(HikariConfig config) {

@@ -20,28 +20,21 @@ import org.slf4j.LoggerFactory;
  * and has a thread of its own for what is left behind, but not with {@code WRITE_DELAY=0}, where
  * each commit is written at once: the file grew by 20 kB a commit.
  *
- * <p>Each second, and as soon as the file has grown by a part of itself, what was written is forced
- * to the disk. What a computer that loses its power finds there stays as it is until the next time:
- * the version that was forced counts as used, so that parts of the file which it needs are not used
- * again, and others are at once. Then pages are moved out of parts that hold little, and, where a
- * good deal of the file is free, parts from its end to its front. Freed parts go only as something
- * is written; so for a while after the last change a number is written that nobody uses.
+ * <p>Each second what was written is forced to the disk. What a computer that loses its power finds
+ * there stays as it is until the next time: the version that was forced counts as used, so that
+ * parts of the file which it needs are not used again, and others are at once. Then pages are moved
+ * out of parts that hold little, and, where a good deal of the file is free, parts from its end to
+ * its front. Freed parts go only as something is written; so for a while after the last change a
+ * number is written that nobody uses.
  */
 final class H2Compactor implements AutoCloseable {
   /** To be told to H2, for the time until something is forced to the disk. */
   static final Duration RETENTION = Duration.ofSeconds(5);
 
   private static final Logger log = LoggerFactory.getLogger(H2Compactor.class);
-  private static final Duration INTERVAL = Duration.ofSeconds(1);
 
-  /** From one {@link #look} to the next. */
-  static final Duration LOOK_INTERVAL = Duration.ofMillis(100);
-
-  /** From one turn to the next, where the file does not grow. */
-  private static final long LOOKS = INTERVAL.dividedBy(LOOK_INTERVAL);
-
-  /** Percent; a file that has grown so much since the last turn has the next one at once. */
-  private static final int MOST_GROWTH = 15;
+  /** From one turn to the next. */
+  static final Duration INTERVAL = Duration.ofSeconds(1);
 
   /** Without a change of somebody else, until there is nothing left to give back. */
   private static final int LAST_INTERVALS = 20;
@@ -71,13 +64,6 @@ final class H2Compactor implements AutoCloseable {
 
   private long lastVersion = -1;
 
-  /** Of the file after the last turn, bytes. */
-  private long lastSize;
-
-  /** Null: there was no turn yet. */
-  private @Nullable MVStore store;
-
-  private int looks;
   private int idleIntervals;
 
   /** Whether the last turn failed, which is said once. */
@@ -96,24 +82,8 @@ final class H2Compactor implements AutoCloseable {
     this.jdbi = jdbi;
   }
 
-  /** Has a turn if one is due, or if the file has grown; to be called again and again. */
-  void look() {
-    if (++looks >= LOOKS || hasGrown()) {
-      looks = 0;
-      compact();
-    }
-  }
-
-  private boolean hasGrown() {
-    MVStore file = store;
-    if (file == null || file.isClosed()) {
-      return false;
-    }
-    long size = file.getFileStore().size();
-    return size > LEAST_SIZE && size * 100 > lastSize * (100 + MOST_GROWTH);
-  }
-
-  private void compact() {
+  /** Has a turn; to be called again and again. */
+  void compact() {
     try {
       jdbi.useHandle(h -> compact(h, file(h)));
       isFailing = false;
@@ -139,8 +109,6 @@ final class H2Compactor implements AutoCloseable {
       moveToFront(file);
       lastVersion = file.getCurrentVersion(); // this is no change of somebody else
     }
-    lastSize = file.getFileStore().size();
-    store = file;
   }
 
   private void force(Handle h, MVStore store) {

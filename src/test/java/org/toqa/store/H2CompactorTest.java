@@ -1,7 +1,6 @@
 package org.toqa.store;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
-import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.nio.file.Files;
@@ -10,8 +9,6 @@ import java.util.Collections;
 import java.util.List;
 import java.util.concurrent.FutureTask;
 import java.util.concurrent.atomic.AtomicBoolean;
-import org.jdbi.v3.core.Handle;
-import org.jdbi.v3.core.Jdbi;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
@@ -35,7 +32,6 @@ class H2CompactorTest {
   /** The pace of a fleet at work; nothing waits for it to be over. */
   private static final int COMMIT_EACH_MILLIS = 20;
 
-  private static final int QUICK_COMMITS = 150;
   private static final int ROBOTS = 40;
   private static final int READ_COMMITS = 8_000;
 
@@ -78,29 +74,6 @@ class H2CompactorTest {
         store.saveDrive("r1", drive(++commits));
         Thread.sleep(COMMIT_EACH_MILLIS);
       }
-    }
-  }
-
-  /** Whatever the pace is: as if all of it happened between two of the regular turns. */
-  @Test
-  @Timeout(120)
-  void fileThatGrowsIsMadeSmallAtOnce() throws Exception {
-    Path file = folder.resolve("toqa.mv.db");
-    open().close();
-    long empty = Files.size(file); // the tables alone
-    Jdbi jdbi = Jdbi.create(H2Url.withSettings(Database.fileUrl(folder.resolve("toqa"))));
-    DatabaseTypes.register(jdbi);
-    try (Handle keepsItOpen = jdbi.open();
-        H2Compactor compactor = new H2Compactor(jdbi)) {
-      JdbiFleetStore store = new JdbiFleetStore(jdbi);
-      store.saveRobot(RobotRecord.direct("r1", "lab", "127.0.0.1", 1, 5, null, true, null));
-      for (int i = 1; i <= QUICK_COMMITS; i++) {
-        store.saveDrive("r1", drive(i));
-        compactor.look();
-        long size = Files.size(file);
-        assertTrue(size - empty < LARGEST_FILE_IN_USE, size + " bytes after commit " + i);
-      }
-      assertFalse(keepsItOpen.isClosed());
     }
   }
 
