@@ -54,7 +54,8 @@ import picocli.CommandLine.Spec;
       "Prints JSON: pace (simulated seconds per second; below the --speed if the",
       "machine cannot keep up), cores (processor seconds per second of the whole",
       "process), metresDriven and tasksDone (all robots together), nearestMetres (the",
-      "smallest distance between the edges of two robots as they report themselves),",
+      "smallest distance between the edges of two robots of a floor as they report",
+      "themselves),",
       "trueNearestMetres and trueWallMetres (the smallest distance between two bodies,",
       "and between one and a wall, where they really were, looked for trueSamples",
       "times), heapBeforeMb and heapAfterMb (memory in use at the start and at the",
@@ -77,9 +78,7 @@ final class FleetBench implements Callable<Integer> {
       names = "--floors",
       defaultValue = "1",
       paramLabel = "N",
-      description =
-          "Number of floors that look alike, 1 to 100 (default: ${DEFAULT-VALUE}). What is true of"
-              + " bodies is looked for on all of them, and printed of the first.")
+      description = "Number of floors that look alike, 1 to 100 (default: ${DEFAULT-VALUE}).")
   private int floors;
 
   @Mixin private MeasuringTime time = new MeasuringTime();
@@ -144,16 +143,15 @@ final class FleetBench implements Callable<Integer> {
   private int measure(FleetServer toqa, URI address, StopSignal stop) throws Exception {
     TaskLoadGenerator load = TaskLoadGenerator.on(toqa.fleet(), robots, seed.value());
     load.run(time.warmUp(), stop, snapshot -> {});
-    ClearanceJudge truth = new ClearanceJudge(toqa.fleet().floors().getFirst().grid());
-    FleetMeter meter = new FleetMeter(toqa.fleetClock(), truth);
+    Map<String, ClearanceJudge> truths = new LinkedHashMap<>();
+    FleetMeter meter = new FleetMeter(toqa.fleetClock(), truths);
     GoalRecorder goals = new GoalRecorder(new RoadGraph(toqa.fleet().floors().getFirst().grid()));
     Consumer<FleetSnapshot> watcher = meter::observe;
-    Map<String, ClearanceJudge> judges = new LinkedHashMap<>();
     List<BodyObservation> observations = new ArrayList<>();
     for (FloorMap floor : toqa.fleet().floors()) {
-      ClearanceJudge judge = judges.isEmpty() ? truth : new ClearanceJudge(floor.grid());
-      judges.put(floor.name(), judge);
-      observations.add(toqa.observeBodies(floor.name(), judge::judge));
+      ClearanceJudge truth = new ClearanceJudge(floor.grid());
+      truths.put(floor.name(), truth);
+      observations.add(toqa.observeBodies(floor.name(), truth::judge));
     }
     load.run(time.seconds(), stop, tasks == null ? watcher : watcher.andThen(goals::observe));
     observations.forEach(BodyObservation::close);
@@ -162,19 +160,22 @@ final class FleetBench implements Callable<Integer> {
       Files.write(tasks, goals.goals().stream().map(RobotGoals::line).toList());
     }
     new BenchOutput(spec).printReport(report);
-    List<String> failures = new ArrayList<>(failures(report, truth, leastPace));
-    judges.remove(toqa.fleet().floors().getFirst().name());
-    judges.forEach((floor, judge) -> failures.addAll(touches(judge, "on " + floor)));
+    List<String> failures = failures(report, truths, leastPace);
     failures.forEach(new CommandOutput(spec)::printError);
     return failures.isEmpty() ? ExitCode.OK : ExitCode.SOFTWARE;
   }
 
   /** What is not as it must be, in sentences. */
-  static List<String> failures(Report report, ClearanceJudge truth, double leastPace) {
-    List<String> failures = new ArrayList<>(touches(truth, "in truth"));
-    if (truth.betweenBodies().isEmpty()) {
-      failures.add("nothing was seen of where two robots really were");
-    }
+  static List<String> failures(
+      Report report, Map<String, ClearanceJudge> truths, double leastPace) {
+    List<String> failures = new ArrayList<>();
+    truths.forEach(
+        (floor, truth) -> {
+          failures.addAll(touches(truth, "on " + floor));
+          if (truth.betweenBodies().isEmpty()) {
+            failures.add("nothing was seen of where two robots on " + floor + " really were");
+          }
+        });
     if (report.pace() < leastPace) {
       failures.add("the pace " + report.pace() + " is below " + leastPace);
     }

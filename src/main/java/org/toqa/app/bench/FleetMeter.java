@@ -2,11 +2,15 @@ package org.toqa.app.bench;
 
 import java.time.Duration;
 import java.time.InstantSource;
+import java.util.Comparator;
 import java.util.HashMap;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Set;
+import java.util.function.Function;
+import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 import org.toqa.app.bench.meter.HeapMemory;
@@ -22,10 +26,12 @@ import org.toqa.sim.ClearanceJudge.Clearance;
 /** Measures the fleet of this process, from when it is made until it reports. */
 final class FleetMeter {
   private final ProcessMeter meter;
-  private final ClearanceJudge truth;
 
-  /** Of robots where they report themselves. */
-  private final ClearanceJudge reported = new ClearanceJudge(null);
+  /** By floor: of bodies where they really are. */
+  private final Map<String, ClearanceJudge> truths;
+
+  /** By floor: of robots where they report themselves. */
+  private final Map<String, ClearanceJudge> reported = new HashMap<>();
 
   private final double heapBefore = HeapMemory.usedMegabytes();
 
@@ -44,12 +50,12 @@ final class FleetMeter {
    * @param cores as there
    * @param metresDriven by all robots together
    * @param tasksDone how many tasks were completed meanwhile
-   * @param nearestMetres the smallest distance between the edges of two robots as they reported
-   *     themselves; negative where they overlapped
+   * @param nearestMetres the smallest distance between the edges of two robots of a floor as they
+   *     reported themselves; negative where they overlapped
    * @param trueNearestMetres the smallest distance between two bodies as they really were; null:
    *     there were no two
    * @param trueWallMetres the same between a body and a wall; null: none came near one
-   * @param trueSamples how many moments these two were looked for at
+   * @param trueSamples how many moments these two were looked for at, of all floors together
    * @param heapBeforeMb heap in use at the start, in units of 10^6 bytes, after a garbage
    *     collection
    * @param heapAfterMb the same at the end
@@ -70,11 +76,11 @@ final class FleetMeter {
 
   /**
    * @param fleetTime the fleet's own clock
-   * @param truth looks at where bodies are meanwhile
+   * @param truths look at where bodies are meanwhile, by floor
    */
-  FleetMeter(InstantSource fleetTime, ClearanceJudge truth) {
+  FleetMeter(InstantSource fleetTime, Map<String, ClearanceJudge> truths) {
     meter = new ProcessMeter(fleetTime);
-    this.truth = truth;
+    this.truths = truths;
   }
 
   /** Adds a snapshot, each one after those before it. */
@@ -84,13 +90,22 @@ final class FleetMeter {
     snapshot.tasks().stream()
         .filter(task -> task.state() == TaskState.DONE && !doneBefore.contains(task.id()))
         .forEach(task -> ended.add(task.id()));
-    List<Body> bodies = snapshot.robots().stream().flatMap(FleetMeter::reportedBody).toList();
+    Map<String, List<Body>> bodies =
+        snapshot.robots().stream()
+            .collect(
+                Collectors.groupingBy(
+                    RobotView::floor,
+                    Collectors.flatMapping(FleetMeter::reportedBody, Collectors.toList())));
+    bodies.forEach(this::observe);
+  }
+
+  private void observe(String floor, List<Body> bodies) {
     for (Body body : bodies) {
       Vec2 place = body.core().getFirst();
       Vec2 before = positions.put(body.name(), place);
       metres += before == null ? 0 : before.distanceTo(place);
     }
-    reported.judge(Duration.ZERO, bodies);
+    reported.computeIfAbsent(floor, _ -> new ClearanceJudge(null)).judge(Duration.ZERO, bodies);
   }
 
   private static Stream<Body> reportedBody(RobotView robot) {
@@ -108,11 +123,21 @@ final class FleetMeter {
         reading.cores(),
         metres,
         done.size(),
-        reported.betweenBodies().map(Clearance::metres).orElse(Double.POSITIVE_INFINITY),
-        truth.betweenBodies().map(Clearance::metres).orElse(null),
-        truth.toWall().map(Clearance::metres).orElse(null),
-        truth.samples(),
+        least(reported, ClearanceJudge::betweenBodies).orElse(Double.POSITIVE_INFINITY),
+        least(truths, ClearanceJudge::betweenBodies).orElse(null),
+        least(truths, ClearanceJudge::toWall).orElse(null),
+        truths.values().stream().mapToLong(ClearanceJudge::samples).sum(),
         heapBefore,
         HeapMemory.usedMegabytes());
+  }
+
+  /** The smallest of all floors, metres. */
+  private static Optional<Double> least(
+      Map<String, ClearanceJudge> judges, Function<ClearanceJudge, Optional<Clearance>> distance) {
+    return judges.values().stream()
+        .map(distance)
+        .flatMap(Optional::stream)
+        .map(Clearance::metres)
+        .min(Comparator.naturalOrder());
   }
 }

@@ -32,13 +32,13 @@ class FleetMeterTest {
 
   private final ClearanceJudge truth =
       new ClearanceJudge(OccupancyGrid.parse("....", "....", "...."));
-  private final FleetMeter meter = new FleetMeter(() -> NOON, truth);
+  private final FleetMeter meter = new FleetMeter(() -> NOON, Map.of("hall", truth));
 
   /** What robots say of themselves is far from each other and from walls: nobody asks them. */
   @Test
   void bodiesThatTouchFailWhateverRobotsReport() {
     meter.observe(snapshot(List.of(robot("r1", 1, 1), robot("r2", 3, 1)), List.of()));
-    assertEquals(List.of("nothing was seen of where two robots really were"), failures(0));
+    assertEquals(List.of("nothing was seen of where two robots on hall really were"), failures(0));
 
     judge(Body.disc("r1", new Vec2(1, 1), 0.1), Body.disc("r2", new Vec2(3, 1), 0.15));
     assertEquals(List.of(), failures(0));
@@ -48,14 +48,14 @@ class FleetMeterTest {
     assertEquals(1, meter.report().trueSamples());
 
     judge(Body.disc("r1", new Vec2(1, 1), 0.1), Body.disc("r2", new Vec2(1.2, 1), 0.15));
-    assertEquals(List.of("in truth, r2 was -0.0500 m from r1 at 0.00 s"), failures(0));
+    assertEquals(List.of("on hall, r2 was -0.0500 m from r1 at 0.00 s"), failures(0));
     assertEquals(1.75, meter.report().nearestMetres(), 1e-12);
   }
 
   @Test
   void bodyThatTouchesAWallFails() {
     judge(Body.disc("r1", new Vec2(0.1, 1), 0.15), Body.disc("r2", new Vec2(2, 1), 0.15));
-    assertEquals(List.of("in truth, r1 was -0.0500 m from wall (-1,1) at 0.00 s"), failures(0));
+    assertEquals(List.of("on hall, r1 was -0.0500 m from wall (-1,1) at 0.00 s"), failures(0));
   }
 
   @Test
@@ -71,7 +71,7 @@ class FleetMeterTest {
   }
 
   private List<String> failures(double leastPace) {
-    return FleetBench.failures(meter.report(), truth, leastPace);
+    return FleetBench.failures(meter.report(), Map.of("hall", truth), leastPace);
   }
 
   @Test
@@ -84,6 +84,14 @@ class FleetMeterTest {
 
     meter.observe(snapshot(List.of(robot("r1", 9, 9), robot("r2", 0.3, 0.4)), List.of()));
     assertEquals(-0.05, meter.report().nearestMetres(), 1e-9);
+  }
+
+  @Test
+  void robotsOfTwoFloorsAreNotNearEachOther() {
+    RobotView above = robot("r2", 0.3, 0.4);
+    RobotView below = above.withRecord(above.record().movedTo("cellar"));
+    meter.observe(snapshot(List.of(robot("r1", 0.3, 0.4), below), List.of()));
+    assertEquals(Double.POSITIVE_INFINITY, meter.report().nearestMetres());
   }
 
   @Test
