@@ -1,4 +1,4 @@
-<%@ page contentType="text/html;charset=UTF-8" session="false" import="org.toqa.web.page.FloorsPage" %>
+<%@ page contentType="text/html;charset=UTF-8" session="false" import="org.toqa.web.RequestPath" %>
 <%@ taglib prefix="c" uri="jakarta.tags.core" %>
 <%@ taglib prefix="fmt" uri="jakarta.tags.fmt" %>
 <%@ taglib prefix="fn" uri="jakarta.tags.functions" %>
@@ -104,12 +104,12 @@
               <p class="notice warn"><fmt:message key="floor.held"><fmt:param><bdi><c:out value="${view.hold.user}"/></bdi></fmt:param></fmt:message>${" "}<t:time at="${view.hold.since}"/></p>
             </c:if>
             <c:if test="${caller.mayManage()}">
-              <c:url value="/floors/${FloorsPage.segment(view.name)}/${empty view.hold ? 'hold' : 'resume'}" var="holdOrResume"/>
+              <c:url value="/floors/${RequestPath.segment(view.name)}/${empty view.hold ? 'hold' : 'resume'}" var="holdOrResume"/>
               <form method="post" action="<c:out value="${holdOrResume}"/>">
                 <t:csrf/>
                 <button class="outline wide"><fmt:message key="floor.${empty view.hold ? 'hold' : 'resume'}"/></button>
               </form>
-              <c:url value="/floors/${FloorsPage.segment(view.name)}/allocator" var="allocatorUrl"/>
+              <c:url value="/floors/${RequestPath.segment(view.name)}/allocator" var="allocatorUrl"/>
               <details>
                 <summary><fmt:message key="floor.allocator"/>: <fmt:message key="floor.allocator.${empty allocators[view.name] ? 'configured' : allocators[view.name]}"/></summary>
                 <form method="post" action="<c:out value="${allocatorUrl}"/>">

@@ -16,6 +16,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.toqa.testbed.BrowserTest;
+import org.toqa.testbed.MapCanvas;
 import org.toqa.testbed.RealMySql;
 
 /**
@@ -50,10 +51,10 @@ class ClerkIT extends BrowserTest {
       page.navigate(server.root().resolve("tasks/new").toString());
       page.getByLabel("Task name").fill("Box of bolts");
       page.getByLabel("Load (kg)").fill("2.5");
-      Locator map = page.locator("#map");
-      click(page, map, 11.55, 1.05); // the station Goods-out
+      MapCanvas map = MapCanvas.ofMap(page, WIDTH, HEIGHT);
+      map.click(11.55, 1.05); // the station Goods-out
       assertThat(page.locator("#startStation")).hasValue("Goods-out");
-      click(page, map, 9.45, 2.85); // a free place
+      map.click(9.45, 2.85); // a free place
       page.getByRole(AriaRole.BUTTON, new Page.GetByRoleOptions().setName("Create task")).click();
 
       assertThat(page.locator("h1")).hasText("Box of bolts");
@@ -73,18 +74,5 @@ class ClerkIT extends BrowserTest {
           .hasText("Done", new HasTextOptions().setTimeout(120_000));
     }
     assertEquals(List.of(), complaints());
-  }
-
-  /** Clicks where the floor, fitted into the canvas with its margin, has the point. */
-  private static void click(Page page, Locator map, double x, double y) {
-    page.waitForFunction("document.querySelector('#map').width > 300");
-    map.scrollIntoViewIfNeeded();
-    double width = map.boundingBox().width;
-    double height = map.boundingBox().height;
-    double scale = Math.min((width - 32) / WIDTH, (height - 32) / HEIGHT);
-    map.click(
-        new Locator.ClickOptions()
-            .setPosition(
-                width / 2 + (x - WIDTH / 2) * scale, height / 2 - (y - HEIGHT / 2) * scale));
   }
 }

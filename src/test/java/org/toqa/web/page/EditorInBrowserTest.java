@@ -7,11 +7,8 @@ import com.google.gson.JsonArray;
 import com.google.gson.JsonObject;
 import com.microsoft.playwright.Browser;
 import com.microsoft.playwright.CDPSession;
-import com.microsoft.playwright.Locator;
-import com.microsoft.playwright.Mouse;
 import com.microsoft.playwright.Page;
 import com.microsoft.playwright.Route;
-import com.microsoft.playwright.options.BoundingBox;
 import com.microsoft.playwright.options.FilePayload;
 import java.awt.image.BufferedImage;
 import java.io.ByteArrayOutputStream;
@@ -25,6 +22,7 @@ import org.toqa.fleet.FloorDraft;
 import org.toqa.fleet.RobotView;
 import org.toqa.grid.FloorDrawing;
 import org.toqa.grid.FloorMap;
+import org.toqa.testbed.MapCanvas;
 import org.toqa.web.WebTestServer;
 
 /** The editor of floors in a real browser: by mouse, by keyboard, by touch, and by two at once. */
@@ -326,30 +324,21 @@ class EditorInBrowserTest extends PagesInBrowser {
     page.locator("[data-tool=" + tool + "]").click();
   }
 
-  /** A point of the floor of 12 m x 6 m, fitted into the canvas with its margin, on the page. */
   private static double[] at(Page page, double x, double y) {
-    await(page, "document.querySelector('#map').width > 300");
-    Locator map = page.locator("#map");
-    map.scrollIntoViewIfNeeded();
-    BoundingBox box = map.boundingBox();
-    double scale = Math.min((box.width - 34) / 12, (box.height - 34) / 6);
-    return new double[] {
-      box.x + box.width / 2 + (x - 6) * scale, box.y + box.height / 2 - (y - 3) * scale
-    };
+    return canvas(page).at(x, y);
   }
 
   private static void click(Page page, double x, double y) {
-    double[] point = at(page, x, y);
-    page.mouse().click(point[0], point[1]);
+    canvas(page).click(x, y);
   }
 
   private static void drag(Page page, double fromX, double fromY, double toX, double toY) {
-    double[] from = at(page, fromX, fromY);
-    double[] to = at(page, toX, toY);
-    page.mouse().move(from[0], from[1]);
-    page.mouse().down();
-    page.mouse().move(to[0], to[1], new Mouse.MoveOptions().setSteps(3));
-    page.mouse().up();
+    canvas(page).drag(fromX, fromY, toX, toY);
+  }
+
+  /** Of a floor of 12 m x 6 m. */
+  private static MapCanvas canvas(Page page) {
+    return MapCanvas.ofEditor(page, 12, 6);
   }
 
   private static void touch(CDPSession session, String type, double[]... fingers) {
