@@ -1,0 +1,49 @@
+package org.toqa.planning.smooth;
+
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Finds some path where chance has found none: searches lattices, from a coarse one to ever finer
+ * ones, and asks once whether there can be a path at all.
+ */
+final class FirstPathFinder {
+  private static final double FINEST = 1.0 / 64;
+
+  private final DiscSpace space;
+  private final WayPoints ends;
+  private final PlanningBudget budget;
+  private double spacing;
+  private boolean isParted;
+  private boolean isAsked;
+
+  FirstPathFinder(DiscSpace space, WayPoints ends, PlanningBudget budget) {
+    this.space = space;
+    this.ends = ends;
+    this.budget = budget;
+    this.spacing = LatticeSearch.firstSpacing(space);
+  }
+
+  /** Whether it is known that there is no path. */
+  boolean isParted() {
+    return isParted;
+  }
+
+  /** Whether there is still a lattice to search. */
+  boolean canGoOn() {
+    return !isParted && spacing >= FINEST;
+  }
+
+  /** Searches the next lattice; null where it has no path. */
+  @Nullable WayPoints search() {
+    LatticeSearch lattice = new LatticeSearch(space, ends, spacing, budget::isTimeOver);
+    WayPoints path = lattice.search();
+    if (path == null && !lattice.wasStopped()) {
+      spacing /= 2;
+      if (!isAsked) {
+        isAsked = true;
+        isParted = new Connectivity(space, ends).isParted();
+      }
+    }
+    return path;
+  }
+}

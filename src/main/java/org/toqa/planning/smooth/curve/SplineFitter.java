@@ -1,0 +1,140 @@
+package org.toqa.planning.smooth.curve;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.jspecify.annotations.Nullable;
+import org.toqa.geometry.Angles;
+import org.toqa.geometry.Vec2;
+import org.toqa.planning.smooth.DiscSpace;
+
+/**
+ * Makes a curve of a free path of straight lines: a spline whose control points lie on the path at
+ * equal distances. Near walls they are moved a little away from them, as a spline runs on the inner
+ * side of its control points. Where the curve would touch a wall, it is made again with more points
+ * that are moved less: the closer they are, the closer is the curve to the path, which is free.
+ * Where even the closest touches, as in a bend that just fits, the lines are driven as they are,
+ * with turns on the spot.
+ */
+public final class SplineFitter {
+  /** Control points in a radius of the disc, and by which share of it they keep off walls. */
+  private static final double[][] TRIES = {
+    {4, 0.006}, {6, 0.004}, {8, 0.002}, {16, 0.0006}, {32, 0.0002}, {32, 0}, {64, 0}
+  };
+
+  /** No spline has more control points. */
+  private static final int MOST_POINTS = 200_000;
+
+  /** A heading that is farther from the path's direction needs a turn on the spot, radians. */
+  private static final double LARGEST_TURN = Math.PI / 2;
+
+  private final DiscSpace space;
+  private final CurveChecker checker;
+
+  /**
+   * @param space of the disc that shall drive the curve
+   */
+  public SplineFitter(DiscSpace space) {
+    this.space = space;
+    this.checker = new CurveChecker(space);
+  }
+
+  /** A free curve for a free path, metres, map frame; with any heading at its ends. */
+  public SmoothCurve fit(List<Vec2> path) {
+    return fit(path, null, null);
+  }
+
+  /**
+   * The same with headings at its ends. One that the curve cannot have, for want of room or since
+   * it is more than 90 degrees off, is left out: there the robot turns on the spot.
+   *
+   * @param start radians, counter-clockwise from map east; null for any
+   * @param goal the same where it ends
+   */
+  public SmoothCurve fit(List<Vec2> path, @Nullable Double start, @Nullable Double goal) {
+    double length = Vec2.lengthOf(path);
+    if (path.size() < 2 || length == 0) {
+      return new SmoothCurve(List.of());
+    }
+    for (double[] attempt : TRIES) {
+      double points = Math.ceil(length / space.radius() * attempt[0]);
+      if (points > MOST_POINTS) {
+        break;
+      }
+      List<Vec2> controls = resampled(path, length, (int) Math.max(4, points));
+      keepOffWalls(controls, attempt[1] * space.radius());
+      CubicSpline spline = CubicSpline.through(controls);
+      if (checker.isFree(spline)) {
+        return new SmoothCurve(List.of(withHeadings(spline, start, goal)));
+      }
+    }
+    return withTurnsOnSpot(path);
+  }
+
+  /** Points on the path at equal distances along it. */
+  private static List<Vec2> resampled(List<Vec2> path, double length, int steps) {
+    List<Vec2> points = new ArrayList<>(steps + 3);
+    points.add(path.getFirst());
+    double passed = 0;
+    int leg = 1;
+    double legLength = path.get(0).distanceTo(path.get(1));
+    for (int i = 1; i < steps; i++) {
+      double at = length * i / steps;
+      while (leg + 1 < path.size() && passed + legLength < at) {
+        passed += legLength;
+        leg++;
+        legLength = path.get(leg - 1).distanceTo(path.get(leg));
+      }
+      double share = legLength == 0 ? 0 : Math.clamp((at - passed) / legLength, 0, 1);
+      Vec2 from = path.get(leg - 1);
+      points.add(from.plus(path.get(leg).minus(from).times(share)));
+    }
+    points.add(path.getLast());
+    return points;
+  }
+
+  private void keepOffWalls(List<Vec2> controls, double margin) {
+    if (margin > 0) {
+      for (int i = 2; i < controls.size() - 2; i++) {
+        controls.set(i, space.awayFromWalls(controls.get(i), margin));
+      }
+    }
+  }
+
+  private CubicSpline withHeadings(
+      CubicSpline spline, @Nullable Double start, @Nullable Double goal) {
+    CubicSpline turned = start == null ? spline : withHeading(spline, start);
+    if (goal != null) {
+      turned = withHeading(turned.reversed(), goal + Math.PI).reversed();
+    }
+    return turned;
+  }
+
+  /** Begins in a direction, if there is room; else as it was. */
+  private CubicSpline withHeading(CubicSpline spline, double heading) {
+    Vec2 start = spline.position(0);
+    Vec2 velocity = spline.velocity(0);
+    if (Math.abs(Angles.difference(velocity.angle(), heading)) > LARGEST_TURN) {
+      return spline;
+    }
+    // P(-1) + 4 P(0) + P(1) = 6 start and P(1) - P(-1) = 2 velocity, with P(1) as it is
+    Vec2 third = spline.controls().get(2);
+    Vec2 along = new Vec2(velocity.norm(), 0).rotated(heading);
+    List<Vec2> controls = new ArrayList<>(spline.controls());
+    controls.set(0, third.minus(along.times(2)));
+    controls.set(1, start.times(6).minus(third.times(2)).plus(along.times(2)).times(0.25));
+    CubicSpline turned = new CubicSpline(controls);
+    return checker.isFree(turned) ? turned : spline;
+  }
+
+  private static SmoothCurve withTurnsOnSpot(List<Vec2> path) {
+    List<CubicSpline> pieces = new ArrayList<>();
+    for (int i = 1; i < path.size(); i++) {
+      Vec2 from = path.get(i - 1);
+      Vec2 along = path.get(i).minus(from);
+      if (along.norm() > 0) {
+        pieces.add(CubicSpline.through(List.of(from, from.plus(along.times(0.5)), path.get(i))));
+      }
+    }
+    return new SmoothCurve(pieces);
+  }
+}
