@@ -13,6 +13,7 @@ import picocli.CommandLine.Spec;
       ScenarioBench.class,
       TrafficBench.class,
       MapfBench.class,
+      SmoothBench.class,
       FloorBench.class,
       FleetBench.class,
       SoakBench.class,

@@ -29,6 +29,11 @@ enum LeftOut {
       "Robots that turn: each moves to any of four neighbours, or waits.",
       "Driving: no robot is ever late, lost or stopped.",
       "Checking and writing the plan."),
+  SMOOTH(
+      "Reading the map and laying it out; of a scene, what is near each cell is found while planning.",
+      "The exact length, which takes its own time.",
+      "Velocities along the path, and driving it.",
+      "Other robots and obstacles that move."),
   FLEET(
       "Networks: robots and server are one process on one machine.",
       "Groups: every load is light enough for one robot, and is no wider than it.",

@@ -7,6 +7,7 @@ import org.toqa.app.command.Arguments;
 import org.toqa.app.command.CommandOutput;
 import org.toqa.app.command.MoveSet;
 import org.toqa.app.command.MovesOption;
+import org.toqa.app.command.PlaceArgument;
 import org.toqa.app.command.RequiredMapOption;
 import org.toqa.geometry.Pose;
 import org.toqa.geometry.Vec2;

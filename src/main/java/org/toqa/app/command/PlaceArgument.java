@@ -1,4 +1,4 @@
-package org.toqa.app.plan;
+package org.toqa.app.command;
 
 import java.math.BigDecimal;
 import org.jspecify.annotations.Nullable;
@@ -12,14 +12,14 @@ import picocli.CommandLine.TypeConversionException;
  * @param position metres, map frame
  * @param heading radians, counter-clockwise from map east; null where none was given
  */
-record PlaceArgument(Vec2 position, @Nullable Double heading) {
+public record PlaceArgument(Vec2 position, @Nullable Double heading) {
   /** Limit of a coordinate, metres; more than any map has. */
   private static final double MAX_METRES = 1e6;
 
   private static final double MAX_DEGREES = 360;
 
   /** Reads {@code X,Y}. */
-  static final class PointConverter implements ITypeConverter<PlaceArgument> {
+  public static final class PointConverter implements ITypeConverter<PlaceArgument> {
     @Override
     public PlaceArgument convert(String text) {
       return read(text, 2, "X,Y in metres, such as 1.95,4.65");
@@ -27,7 +27,7 @@ record PlaceArgument(Vec2 position, @Nullable Double heading) {
   }
 
   /** Reads {@code X,Y} or {@code X,Y,DEG}. */
-  static final class PoseConverter implements ITypeConverter<PlaceArgument> {
+  public static final class PoseConverter implements ITypeConverter<PlaceArgument> {
     @Override
     public PlaceArgument convert(String text) {
       return read(text, 3, "X,Y in metres or X,Y,DEG, such as 1.95,4.65,90");
