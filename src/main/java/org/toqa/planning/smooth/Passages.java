@@ -40,6 +40,7 @@ final class Passages {
   static List<Passage> of(DiscSpace space) {
     Passages passages = new Passages(space);
     passages.findBetweenCorners();
+    passages.findBetweenLevelCorners();
     passages.findBetweenSides(false);
     passages.findBetweenSides(true);
     return List.copyOf(passages.found);
@@ -62,6 +63,43 @@ final class Passages {
         }
       }
     }
+  }
+
+  /** Between corners in one line of the grid, of squares that are on different sides of it. */
+  private void findBetweenLevelCorners() {
+    for (int gap = (int) Math.ceil(least); gap <= most; gap++) {
+      for (int y = 0; y <= space.height(); y++) {
+        for (int x = 0; x <= space.width(); x++) {
+          if (areOffset(x - 1, y, x + gap, y, 0, -1) && isClear(x, y, gap, 1, 0)) {
+            add(x, y, gap, 0);
+          }
+          if (areOffset(x, y - 1, x, y + gap, -1, 0) && isClear(x, y, gap, 0, 1)) {
+            add(x, y, 0, gap);
+          }
+        }
+      }
+    }
+  }
+
+  /** Whether of two squares, and those beside each across the line, just an opposite pair is wall. */
+  private boolean areOffset(int x, int y, int otherX, int otherY, int besideX, int besideY) {
+    boolean first = space.isOccupied(x, y);
+    boolean second = space.isOccupied(x + besideX, y + besideY);
+    return first != second
+        && space.isOccupied(otherX, otherY) == second
+        && space.isOccupied(otherX + besideX, otherY + besideY) == first;
+  }
+
+  /** Whether the squares on both sides of a line are free. */
+  private boolean isClear(int x, int y, int length, int east, int north) {
+    for (int i = 0; i < length; i++) {
+      int column = x + i * east;
+      int row = y + i * north;
+      if (space.isOccupied(column, row) || space.isOccupied(column - north, row - east)) {
+        return false;
+      }
+    }
+    return true;
   }
 
   /** Steps to the north-east that are as long as a passage may be wide. */
