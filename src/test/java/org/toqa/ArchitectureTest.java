@@ -108,6 +108,25 @@ class ArchitectureTest {
         .check(PRODUCT);
   }
 
+  /** What judges the smooth planner shares no code with it. */
+  @Test
+  void theExactLengthAndTheSmoothPlannerStandApart() {
+    noClasses()
+        .that()
+        .resideInAPackage("org.toqa.planning.exact..")
+        .should()
+        .dependOnClassesThat()
+        .resideInAnyPackage("org.toqa.planning.smooth..", "org.toqa.planning")
+        .check(PRODUCT);
+    noClasses()
+        .that()
+        .resideOutsideOfPackages("org.toqa.planning.exact..", "org.toqa.app.bench..")
+        .should()
+        .dependOnClassesThat()
+        .resideInAPackage("org.toqa.planning.exact..")
+        .check(PRODUCT);
+  }
+
   /** Agents share their threads: who waited in one would stop the others. */
   @Test
   void noAgentSleeps() {

@@ -10,8 +10,9 @@ import org.toqa.geometry.Vec2;
 
 /**
  * Makes segments (v, w, t) of a curve: pairs of arcs that have its points and directions at their
- * ends and the same direction where they meet (Bolton, "Biarc curves", 1975). A pair is halved until
- * it is within a tolerance of the curve, so the segments follow it as closely as is asked for.
+ * ends and the same direction where they meet (Bolton, "Biarc curves", 1975). A pair is halved
+ * until it is within a tolerance of the curve, so the segments follow it as closely as is asked
+ * for.
  */
 public final class BiarcFitter {
   /** Metres; half of what is promised, as the distance is measured at points. */

@@ -10,15 +10,10 @@ package org.toqa.motion;
  * @param jerk metres a second cubed, along the curve
  */
 public record DifferentialLimits(
-    double wheelSpeed,
-    double track,
-    double acceleration,
-    double lateralAcceleration,
-    double jerk) {
+    double wheelSpeed, double track, double acceleration, double lateralAcceleration, double jerk) {
 
   /** 0.52 m/s as in CSM-MAMRS; the others are ours, mild for a robot of 20 cm. */
-  public static final DifferentialLimits DEFAULT =
-      new DifferentialLimits(0.52, 0.15, 0.5, 0.8, 4);
+  public static final DifferentialLimits DEFAULT = new DifferentialLimits(0.52, 0.15, 0.5, 0.8, 4);
 
   /**
    * @throws IllegalArgumentException if one is not positive and finite
@@ -41,6 +36,7 @@ public record DifferentialLimits(
     // |v| (1 + |kappa| L / 2) <= wheel speed; v^2 |kappa| <= lateral acceleration
     double bend = Math.abs(curvature);
     return Math.min(
-        wheelSpeed / (1 + bend * track / 2), Math.sqrt(lateralAcceleration / Math.max(bend, 1e-12)));
+        wheelSpeed / (1 + bend * track / 2),
+        Math.sqrt(lateralAcceleration / Math.max(bend, 1e-12)));
   }
 }

@@ -129,7 +129,8 @@ public final class VelocityPlanner {
     double window = STEPS_OF_WINDOW * step;
     for (int i = 0; i < count; i++) {
       double now = i < driven.length ? driven[i] : length;
-      double before = i < STEPS_OF_WINDOW ? 0 : driven[Math.min(driven.length - 1, i - STEPS_OF_WINDOW)];
+      double before =
+          i < STEPS_OF_WINDOW ? 0 : driven[Math.min(driven.length - 1, i - STEPS_OF_WINDOW)];
       speeds[i] = i - STEPS_OF_WINDOW >= driven.length ? 0 : (now - before) / window;
     }
     double[] distances = new double[count];

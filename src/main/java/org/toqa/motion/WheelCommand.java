@@ -1,8 +1,8 @@
 package org.toqa.motion;
 
 /**
- * What the wheels of a robot with two of them are told for one sample of 30 ms (CSM-MAMRS, "Velocity
- * planner").
+ * What the wheels of a robot with two of them are told for one sample of 30 ms (CSM-MAMRS,
+ * "Velocity planner").
  *
  * @param time seconds from the start of the drive
  * @param v metres a second, forward
@@ -22,11 +22,7 @@ public record WheelCommand(double time, double v, double w, Wheel left, Wheel ri
    * @param isForward the direction that is sent beside the amplitude
    */
   public record Wheel(
-      double speed,
-      double onSeconds,
-      int amplitude,
-      double pulseMilliseconds,
-      boolean isForward) {
+      double speed, double onSeconds, int amplitude, double pulseMilliseconds, boolean isForward) {
     private static final int MOST_AMPLITUDE = 255;
     private static final double LONGEST_PULSE = 33;
 
@@ -41,17 +37,13 @@ public record WheelCommand(double time, double v, double w, Wheel left, Wheel ri
       double share = Math.min(1, Math.abs(speed) / fastest);
       int amplitude = (int) Math.round(MOST_AMPLITUDE * share);
       return new Wheel(
-          speed,
-          PERIOD * share,
-          amplitude,
-          amplitude * LONGEST_PULSE / MOST_AMPLITUDE,
-          speed >= 0);
+          speed, PERIOD * share, amplitude, amplitude * LONGEST_PULSE / MOST_AMPLITUDE, speed >= 0);
     }
   }
 
   /**
-   * By inverse kinematics; where a wheel would be faster than its limit by rounding, both are slower
-   * by the same factor.
+   * By inverse kinematics; where a wheel would be faster than its limit by rounding, both are
+   * slower by the same factor.
    */
   static WheelCommand of(double time, double v, double w, DifferentialLimits limits) {
     // vR = (2 v + L w) / 2, vL = (2 v - L w) / 2

@@ -56,15 +56,13 @@ public record WheelSchedule(List<WheelCommand> commands) {
     ArcLength along = new ArcLength(curve);
     VelocityProfile profile =
         planner(limits)
-            .plan(
-                along.total(), s -> limits.speedAt(curve.curvature(along.parameterAt(s))));
+            .plan(along.total(), s -> limits.speedAt(curve.curvature(along.parameterAt(s))));
     double first = commands.size() * WheelCommand.SAMPLE;
     for (double t = WheelCommand.SAMPLE / 2; t < profile.duration(); t += WheelCommand.SAMPLE) {
       // in the middle of the sample, for which the command holds
       double v = profile.speedAt(t);
       double curvature = curve.curvature(along.parameterAt(profile.distanceAt(t)));
-      commands.add(
-          WheelCommand.of(first + t - WheelCommand.SAMPLE / 2, v, v * curvature, limits));
+      commands.add(WheelCommand.of(first + t - WheelCommand.SAMPLE / 2, v, v * curvature, limits));
     }
   }
 
@@ -87,9 +85,7 @@ public record WheelSchedule(List<WheelCommand> commands) {
   public Pose end(Pose start) {
     Pose pose = start;
     for (WheelCommand command : commands) {
-      pose =
-          pose.advanced(
-              new Twist(command.v(), 0, command.w()), WheelCommand.SAMPLE);
+      pose = pose.advanced(new Twist(command.v(), 0, command.w()), WheelCommand.SAMPLE);
     }
     return pose;
   }

@@ -85,12 +85,9 @@ class WheelSchedulePropertyTest {
         assertTrue(wheel.pulseMilliseconds() <= 33);
         assertEquals(wheel.speed() >= 0, wheel.isForward());
       }
+      assertEquals(command.v(), (command.left().speed() + command.right().speed()) / 2, 1e-12);
       assertEquals(
-          command.v(), (command.left().speed() + command.right().speed()) / 2, 1e-12);
-      assertEquals(
-          command.w(),
-          (command.right().speed() - command.left().speed()) / LIMITS.track(),
-          1e-9);
+          command.w(), (command.right().speed() - command.left().speed()) / LIMITS.track(), 1e-9);
     }
     Vec2 start = curve.position(0);
     Pose end = schedule.end(new Pose(start.x(), start.y(), heading));
@@ -135,9 +132,7 @@ class WheelSchedulePropertyTest {
     assertEquals(Math.PI / 2, end.theta(), 0.01);
     assertEquals(0, end.position().distanceTo(new Vec2(1, 2)), 1e-9);
     assertTrue(schedule.commands().stream().allMatch(c -> c.v() == 0));
-    assertTrue(
-        schedule.commands().stream()
-            .allMatch(c -> c.left().speed() == -c.right().speed()));
+    assertTrue(schedule.commands().stream().allMatch(c -> c.left().speed() == -c.right().speed()));
   }
 
   @Test
@@ -152,7 +147,6 @@ class WheelSchedulePropertyTest {
 
   @Test
   void limitsArePositive() {
-    assertThrows(
-        IllegalArgumentException.class, () -> new DifferentialLimits(0.52, 0, 1, 1, 1));
+    assertThrows(IllegalArgumentException.class, () -> new DifferentialLimits(0.52, 0, 1, 1, 1));
   }
 }

@@ -137,13 +137,14 @@ final class SmoothBench implements Callable<Integer> {
       throw arguments.invalid("--scenes is for random scenes, without --map");
     }
     int repeats = repeat == null ? 1 : repeat;
-    arguments.requireBetween("--limit-ms", limitMs, 1, MOST_MS);
+    int millis = limitMs;
+    arguments.requireBetween("--limit-ms", millis, 1, MOST_MS);
     arguments.requireBetween("--repeat", repeats, 1, MOST_REPEATS);
     OccupancyGrid grid = arguments.readGrid(file);
     SmoothRun run = new SmoothRun(grid, radius, method, from.position(), to.position());
-    run.warmUp(limitMs);
+    run.warmUp(millis);
     List<SmoothRun.Report> runs =
-        LongStream.range(0, repeats).mapToObj(i -> run.plan(seed.value() + i, limitMs)).toList();
+        LongStream.range(0, repeats).mapToObj(i -> run.plan(seed.value() + i, millis)).toList();
     new BenchOutput(spec).printReport(new Report(runs));
     return runs.stream().allMatch(SmoothRun.Report::found) ? ExitCode.OK : ExitCode.SOFTWARE;
   }

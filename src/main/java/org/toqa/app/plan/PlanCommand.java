@@ -6,7 +6,6 @@ import org.jspecify.annotations.Nullable;
 import org.toqa.app.command.Arguments;
 import org.toqa.app.command.CommandOutput;
 import org.toqa.app.command.MoveSet;
-import org.toqa.app.command.MovesOption;
 import org.toqa.app.command.PlaceArgument;
 import org.toqa.app.command.RequiredMapOption;
 import org.toqa.geometry.Pose;
@@ -22,6 +21,12 @@ import org.toqa.planning.Path;
 import org.toqa.planning.PlanResult;
 import org.toqa.planning.PlanResult.Found;
 import org.toqa.planning.PlanResult.NotFound;
+import org.toqa.planning.smooth.DiscSpace;
+import org.toqa.planning.smooth.PlanningBudget;
+import org.toqa.planning.smooth.SmoothMethod;
+import org.toqa.planning.smooth.SmoothPlanner;
+import org.toqa.planning.smooth.SmoothResult;
+import org.toqa.planning.smooth.WayPath;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.ExitCode;
 import picocli.CommandLine.Mixin;
@@ -48,11 +53,23 @@ import picocli.CommandLine.Spec;
       "",
       "JSON: found, reason (START_BLOCKED, GOAL_BLOCKED, NO_PATH, or null), cost,",
       "length (metres driven), seconds, turnsOnSpot, start, cells, segments. If there",
-      "is no path, the command prints the reason to standard error and exits 1."
+      "is no path, the command prints the reason to standard error and exits 1.",
+      "",
+      "With --moves smooth the path is a curve from --from to --to itself, and --margin",
+      "is the radius of the disc that follows it. The table and JSON also have what the",
+      "two wheels of a differential robot do in samples of 30 ms: v, w, and for each",
+      "wheel its speed, T_on, ISPA (0 to 255), pulse and direction; the picture has the",
+      "speeds over time. JSON: found, reason (also OUT_OF_TIME), length, seconds,",
+      "maxCurvature (radians per metre), turnsOnSpot, start, path, segments, wheels."
     })
 public final class PlanCommand implements Callable<Integer> {
   /** Cells; more than any map has on a side that is worth planning on. */
   private static final int MAX_MARGIN = 1000;
+
+  /** Of the tree and the swarm: the same arguments give the same plan. */
+  private static final int SMOOTH_ITERATIONS = 4000;
+
+  private static final long SMOOTH_SEED = 1;
 
   @Spec private CommandSpec spec = CommandSpec.create();
 
@@ -74,7 +91,15 @@ public final class PlanCommand implements Callable<Integer> {
       description = "Goal.")
   private PlaceArgument to = new PlaceArgument(Vec2.ZERO, null);
 
-  @Mixin private MovesOption moves = new MovesOption(MoveSet.HEADING);
+  @Option(
+      names = "--moves",
+      defaultValue = "heading",
+      paramLabel = "octile|heading|smooth",
+      converter = PlanMoves.Converter.class,
+      description =
+          "octile: moves to any of the eight neighbours; heading: moves that a robot can drive in"
+              + " arcs; smooth: a curve in the plane (default: ${DEFAULT-VALUE}).")
+  private PlanMoves moves = PlanMoves.HEADING;
 
   @Option(
       names = "--margin",
@@ -100,11 +125,17 @@ public final class PlanCommand implements Callable<Integer> {
     if (!(margin >= 0 && margin <= MAX_MARGIN)) {
       throw arguments.invalid("--margin %s: it must be from 0 to %d".formatted(margin, MAX_MARGIN));
     }
+    if (moves == PlanMoves.SMOOTH && margin == 0) {
+      throw arguments.invalid("--moves smooth needs a --margin above 0, the radius of the robot");
+    }
     FloorMap floor = arguments.readFloor(map.file());
+    if (moves == PlanMoves.SMOOTH) {
+      return planSmooth(floor, output);
+    }
     OccupancyGrid inflated = Inflation.inflate(floor.grid(), margin * floor.grid().resolution());
     Cell start = inflated.cellAt(from.position());
     Cell goal = inflated.cellAt(to.position());
-    PlanResult result = moves.value().planner(expanded -> {}).plan(inflated, start, goal);
+    PlanResult result = gridMoves().planner(expanded -> {}).plan(inflated, start, goal);
     return switch (result) {
       case Found(Path path) -> {
         output.print(format.render(plannedDrive(floor, inflated, path)));
@@ -118,6 +149,46 @@ public final class PlanCommand implements Callable<Integer> {
         yield ExitCode.SOFTWARE;
       }
     };
+  }
+
+  private MoveSet gridMoves() {
+    return moves == PlanMoves.OCTILE ? MoveSet.OCTILE : MoveSet.HEADING;
+  }
+
+  private int planSmooth(FloorMap floor, CommandOutput output) {
+    DiscSpace space = DiscSpace.of(floor.grid(), margin * floor.grid().resolution());
+    SmoothResult result =
+        new SmoothPlanner(SmoothMethod.HYBRID, SMOOTH_SEED)
+            .plan(
+                space,
+                from.position(),
+                to.position(),
+                PlanningBudget.iterations(SMOOTH_ITERATIONS));
+    return switch (result) {
+      case SmoothResult.Found(WayPath path) -> {
+        output.print(format.render(SmoothDrive.of(floor, space, path, from.heading())));
+        yield ExitCode.OK;
+      }
+      case SmoothResult.NotFound(SmoothResult.Reason reason) -> {
+        if (format == PlanFormat.JSON) {
+          output.print(SmoothJson.of(reason));
+        }
+        output.printError(failureMessage(reason, floor.grid()));
+        yield ExitCode.SOFTWARE;
+      }
+    };
+  }
+
+  private String failureMessage(SmoothResult.Reason reason, OccupancyGrid walls) {
+    String why =
+        switch (reason) {
+          case START_BLOCKED ->
+              "the start" + obstacleMessage(walls.cellAt(from.position()), from, walls);
+          case GOAL_BLOCKED -> "the goal" + obstacleMessage(walls.cellAt(to.position()), to, walls);
+          case NO_PATH -> "obstacles part the goal from the start";
+          case OUT_OF_TIME -> "none was found in time";
+        };
+    return "There is no path (%s): %s.".formatted(reason, why);
   }
 
   private PlannedDrive plannedDrive(FloorMap floor, OccupancyGrid inflated, Path path) {

@@ -16,6 +16,14 @@ enum PlanFormat {
     };
   }
 
+  String render(SmoothDrive drive) {
+    return switch (this) {
+      case TABLE -> SmoothTable.of(drive);
+      case JSON -> SmoothJson.of(drive);
+      case SVG -> SmoothSvg.of(drive);
+    };
+  }
+
   /** Reads what a user types. */
   static final class Converter extends WordConverter<PlanFormat> {
     Converter() {

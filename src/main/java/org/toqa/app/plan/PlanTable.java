@@ -50,7 +50,7 @@ final class PlanTable {
     }
   }
 
-  private static void addSegments(Formatter table, Trajectory trajectory) {
+  static void addSegments(Formatter table, Trajectory trajectory) {
     table.format("%n segment  v (m/s)  w (rad/s)    t (s)  then at x (m)    y (m)  degrees%n");
     int number = 1;
     Pose pose = trajectory.start();

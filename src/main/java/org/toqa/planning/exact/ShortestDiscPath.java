@@ -31,7 +31,9 @@ public final class ShortestDiscPath {
   private final List<Corner> corners;
   private final double[] xs;
   private final double[] ys;
-  private final double @Nullable [][] parts;
+
+  /** By corner: the free parts of its arc, once they were asked for. */
+  private final double[][] parts;
 
   /** By corner and sense: the tangents that leave it. */
   private final List<@Nullable List<Tangent>> tangents = new ArrayList<>();

@@ -81,7 +81,9 @@ final class Passages {
     }
   }
 
-  /** Whether of two squares, and those beside each across the line, just an opposite pair is wall. */
+  /**
+   * Whether of two squares, and those beside each across the line, just an opposite pair is wall.
+   */
   private boolean areOffset(int x, int y, int otherX, int otherY, int besideX, int besideY) {
     boolean first = space.isOccupied(x, y);
     boolean second = space.isOccupied(x + besideX, y + besideY);

@@ -105,6 +105,43 @@ class PlanCommandTest {
   }
 
   @Test
+  void smoothMovesAreACurveWithSegmentsAndWheels() throws IOException {
+    assertEquals(
+        0, run("--from 0.5,0.5,90 --to 4.5,1.5 --moves smooth --margin 0.4 --format json"));
+
+    JsonNode json = JsonMapper.shared().readTree(out.toString());
+    assertTrue(json.path("found").booleanValue());
+    assertEquals(0.5, json.path("path").path(0).path(0).doubleValue(), 1e-9);
+    // 2.5 m to below the corner, up to the upper aisle, and on: longer than straight
+    assertTrue(json.path("length").doubleValue() > Math.hypot(4, 1));
+    assertTrue(json.path("length").doubleValue() < 4.5);
+    assertFalse(json.path("segments").isEmpty());
+    for (JsonNode sample : json.path("wheels")) {
+      assertTrue(Math.abs(sample.path("left").path("speed").doubleValue()) <= 0.52);
+      assertTrue(sample.path("right").path("amplitude").intValue() <= 255);
+    }
+  }
+
+  @ParameterizedTest
+  @CsvSource({"table, turns   0 on the spot", "svg, right wheel"})
+  void smoothMovesAreShownToPeople(String format, String words) {
+    assertEquals(
+        0, run("--from 0.5,0.5 --to 4.5,1.5 --moves smooth --margin 0.4 --format " + format));
+    assertTrue(out.toString().contains(words), out::toString);
+  }
+
+  @ParameterizedTest
+  @CsvSource({
+    "'--from 4.5,2.5 --to 0.5,0.5', START_BLOCKED",
+    "'--from 1.5,2.5 --to 9,0.5', GOAL_BLOCKED"
+  })
+  void whyThereIsNoSmoothWayIsNamed(String arguments, String reason) throws IOException {
+    assertEquals(1, run(arguments + " --moves smooth --margin 0.4 --format json"));
+    assertEquals(reason, JsonMapper.shared().readTree(out.toString()).path("reason").stringValue());
+    assertTrue(err.toString().contains("(" + reason + "): "), err::toString);
+  }
+
+  @Test
   void startThatIsTheGoalIsAWayWithoutSegments() throws IOException {
     assertEquals(0, run("--from 0.5,2.5,30 --to 0.6,2.4 --format json"));
 
@@ -194,7 +231,8 @@ class PlanCommandTest {
           --from 1,1 --to 1,1 --margin -1         | --margin -1.0: it must be from 0 to 1000
           --from 1,1 --to 1,1 --margin NaN        | --margin NaN: it must be from 0 to 1000
           --from 1,1 --to 1,1 --margin wide       | 'wide'
-          --from 1,1 --to 1,1 --moves knight      | it is octile or heading, not knight
+          --from 1,1 --to 1,1 --moves knight      | it is octile, heading or smooth, not knight
+          --from 1,1 --to 1,1 --moves smooth      | --moves smooth needs a --margin above 0
           --from 1,1 --to 1,1 --format png        | it is table, json or svg, not png
           --from 1,1                              | --to
           """)

@@ -40,8 +40,7 @@ class ShortestDiscPathTest {
     // the line rises by atan(1 / 3.5) + asin(r / distance), and so much is the first arc
     double angle = Math.atan2(1, 3.5) + Math.asin(r / distance);
     double expected = 2 * (tangent + r * angle) + 1;
-    assertEquals(
-        expected, length(grid, r, new Vec2(0.5, 2), new Vec2(8.5, 2)).orElseThrow(), 1e-9);
+    assertEquals(expected, length(grid, r, new Vec2(0.5, 2), new Vec2(8.5, 2)).orElseThrow(), 1e-9);
   }
 
   @Test
@@ -67,8 +66,7 @@ class ShortestDiscPathTest {
   }
 
   @Property(tries = 500, edgeCases = EdgeCasesMode.NONE)
-  void itIsTheSameBackAndNeverShorterThanStraightOrForASmallerDisc(
-      @ForAll("queries") Query query) {
+  void itIsTheSameBackAndNeverShorterThanStraightOrForASmallerDisc(@ForAll("queries") Query query) {
     OptionalDouble there = length(query.grid(), query.radius(), query.from(), query.to());
     OptionalDouble back = length(query.grid(), query.radius(), query.to(), query.from());
     OptionalDouble smaller = length(query.grid(), 0.9 * query.radius(), query.from(), query.to());

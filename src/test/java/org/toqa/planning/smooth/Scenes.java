@@ -37,9 +37,7 @@ public final class Scenes {
             .between(3, 14)
             .flatMap(
                 width ->
-                    Arbitraries.integers()
-                        .between(3, 14)
-                        .flatMap(height -> grids(width, height)));
+                    Arbitraries.integers().between(3, 14).flatMap(height -> grids(width, height)));
     Arbitrary<Double> radii =
         Arbitraries.oneOf(
             Arbitraries.of(0.5, 1.0, 1.5, Math.sqrt(5) / 2, 2.5),
@@ -48,8 +46,7 @@ public final class Scenes {
     return Combinators.combine(grids, radii, shares, shares, shares, shares)
         .as(
             (grid, radius, a, b, c, d) ->
-                new Query(
-                    grid, radius * grid.resolution(), place(grid, a, b), place(grid, c, d)));
+                new Query(grid, radius * grid.resolution(), place(grid, a, b), place(grid, c, d)));
   }
 
   private static Arbitrary<OccupancyGrid> grids(int width, int height) {
@@ -79,8 +76,7 @@ public final class Scenes {
 
   /** From a line to the nearest wall or the border, metres; 0 where it meets one. */
   public static double clearance(OccupancyGrid grid, Vec2 from, Vec2 to) {
-    Vec2 upper =
-        grid.origin().plus(new Vec2(grid.width(), grid.height()).times(grid.resolution()));
+    Vec2 upper = grid.origin().plus(new Vec2(grid.width(), grid.height()).times(grid.resolution()));
     double nearest = Double.POSITIVE_INFINITY;
     for (Vec2 end : List.of(from, to)) {
       nearest = Math.min(nearest, Math.min(end.x() - grid.origin().x(), upper.x() - end.x()));

@@ -40,8 +40,7 @@ class SmoothPlannerPropertyTest {
 
   private static SmoothResult plan(SmoothPlanner planner, Query query, int iterations) {
     DiscSpace space = DiscSpace.of(query.grid(), query.radius());
-    return planner.plan(
-        space, query.from(), query.to(), PlanningBudget.iterations(iterations));
+    return planner.plan(space, query.from(), query.to(), PlanningBudget.iterations(iterations));
   }
 
   @Property(tries = 400, edgeCases = EdgeCasesMode.NONE)
@@ -55,9 +54,7 @@ class SmoothPlannerPropertyTest {
       boolean startIsFree = clearance(query, query.from()) >= query.radius() - rounding;
       boolean goalIsFree = clearance(query, query.to()) >= query.radius() - rounding;
       assertEquals(
-          startIsFree
-              ? goalIsFree ? Reason.NO_PATH : Reason.GOAL_BLOCKED
-              : Reason.START_BLOCKED,
+          startIsFree ? goalIsFree ? Reason.NO_PATH : Reason.GOAL_BLOCKED : Reason.START_BLOCKED,
           reason);
       return;
     }

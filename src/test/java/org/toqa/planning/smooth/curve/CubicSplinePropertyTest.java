@@ -20,7 +20,11 @@ class CubicSplinePropertyTest {
   @Provide
   Arbitrary<List<Vec2>> points() {
     Arbitrary<Double> coordinates = Arbitraries.doubles().between(-10, 10);
-    return Combinators.combine(coordinates, coordinates).as(Vec2::new).list().ofMinSize(2).ofMaxSize(12);
+    return Combinators.combine(coordinates, coordinates)
+        .as(Vec2::new)
+        .list()
+        .ofMinSize(2)
+        .ofMaxSize(12);
   }
 
   @Property

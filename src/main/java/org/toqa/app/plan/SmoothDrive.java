@@ -1,0 +1,64 @@
+package org.toqa.app.plan;
+
+import org.jspecify.annotations.Nullable;
+import org.toqa.geometry.Pose;
+import org.toqa.geometry.Vec2;
+import org.toqa.grid.FloorMap;
+import org.toqa.motion.BiarcFitter;
+import org.toqa.motion.DifferentialLimits;
+import org.toqa.motion.DriveSpeeds;
+import org.toqa.motion.Trajectory;
+import org.toqa.motion.WheelSchedule;
+import org.toqa.planning.smooth.DiscSpace;
+import org.toqa.planning.smooth.WayPath;
+import org.toqa.planning.smooth.curve.CubicSpline;
+import org.toqa.planning.smooth.curve.SmoothCurve;
+import org.toqa.planning.smooth.curve.SplineFitter;
+
+/**
+ * A smooth curve on a map, and how robots drive it.
+ *
+ * @param floor the map as it was read
+ * @param space of the disc that it was planned for
+ * @param curve metres, map frame
+ * @param trajectory the same as segments, for robots of the ordinary link
+ * @param schedule the same for two wheels, in samples of 30 ms
+ */
+record SmoothDrive(
+    FloorMap floor,
+    DiscSpace space,
+    SmoothCurve curve,
+    Trajectory trajectory,
+    WheelSchedule schedule) {
+
+  /** Metres between points of the curve that are drawn or printed. */
+  static final double APART = 0.01;
+
+  /**
+   * Fits the curve and plans its speeds.
+   *
+   * @param start heading, radians, counter-clockwise from map east; null for that of the curve
+   */
+  static SmoothDrive of(FloorMap floor, DiscSpace space, WayPath path, @Nullable Double start) {
+    SmoothCurve curve = new SplineFitter(space).fit(path.points(), start, null);
+    double first = curve.pieces().isEmpty() ? 0 : curve.pieces().getFirst().velocity(0).angle();
+    double heading = start == null ? first : start;
+    double last = heading;
+    for (CubicSpline piece : curve.pieces()) {
+      last = piece.velocity(piece.end()).angle();
+    }
+    Trajectory fitted = new BiarcFitter(DriveSpeeds.DEFAULT).fit(heading, curve.pieces());
+    Vec2 from = path.points().getFirst();
+    return new SmoothDrive(
+        floor,
+        space,
+        curve,
+        new Trajectory(new Pose(from.x(), from.y(), heading), fitted.segments()),
+        WheelSchedule.of(heading, curve.pieces(), last, DifferentialLimits.DEFAULT));
+  }
+
+  /** Between curves; one at the start is not counted. */
+  int turnsOnSpot() {
+    return Math.max(0, curve.pieces().size() - 1);
+  }
+}
