@@ -23,7 +23,7 @@ public final class DiscSpace {
   static final double TOLERANCE = 1e-9;
 
   /** Radii up to which distances are told; beyond, it is said only that they are larger. */
-  private static final double HORIZON = 3;
+  private static final double HORIZON = 2;
 
   /** Cells by which the horizon is at most more than the radius. */
   private static final double MOST_BEYOND = 16;
@@ -38,13 +38,14 @@ public final class DiscSpace {
   private final double radius;
   private final double horizon;
   private final NearbySquares nearby;
-  private volatile @Nullable List<Passage> passages;
+  private final List<Passage> passages;
 
   private DiscSpace(OccupancyGrid grid, double radius) {
     this.grid = grid;
     this.radius = radius - Math.min(TOLERANCE, radius / 2);
     this.horizon = Math.min(Math.max(HORIZON * radius, 2), radius + MOST_BEYOND);
     this.nearby = new NearbySquares(grid, horizon);
+    this.passages = Passages.of(this);
   }
 
   /**
@@ -58,11 +59,6 @@ public final class DiscSpace {
       throw new IllegalArgumentException("A disc has a positive radius, not " + radius + " m.");
     }
     return new DiscSpace(grid, radius / grid.resolution());
-  }
-
-  /** The same grid for a disc of another radius, metres. */
-  public DiscSpace withRadius(double metres) {
-    return of(grid, metres);
   }
 
   /** The grid it was made of. */
@@ -152,14 +148,9 @@ public final class DiscSpace {
     return radius;
   }
 
-  /** The passages that are hardly wider than the disc; found when they are first asked for. */
+  /** The passages that are hardly wider than the disc. */
   List<Passage> passages() {
-    List<Passage> known = passages;
-    if (known == null) {
-      known = Passages.of(this);
-      passages = known;
-    }
-    return known;
+    return passages;
   }
 
   /** Whether a cell is occupied or outside the grid; row 0 is the lowest. */

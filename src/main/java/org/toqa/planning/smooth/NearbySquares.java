@@ -131,8 +131,8 @@ final class NearbySquares {
     private void look(int step, int westOfRow, int eastOfRow) {
       int westGap = westOfRow;
       int eastGap = eastOfRow;
-      int rows = (int) Math.min(Math.max(width, height), Math.ceil(horizon) + 1);
-      for (int distance = 1; distance <= rows; distance++) {
+      // rows beyond the nearest square so far have none that is nearer
+      for (int distance = 1; distance - 1 <= Math.min(horizon, farthest); distance++) {
         int other = row + step * distance;
         if (isOccupied(column, other)) {
           add(column, other);

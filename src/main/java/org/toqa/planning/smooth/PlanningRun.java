@@ -15,6 +15,9 @@ final class PlanningRun {
   /** Iterations before a first path is searched otherwise; each further time so many times more. */
   private static final int CHANCE = 500;
 
+  /** The same where the disc fits into a cell: there such a search is short, and sure to find. */
+  private static final int CHANCE_IN_CELLS = 200;
+
   private static final int PATIENCE = 4;
 
   /** Iterations of the tree between two looks at its paths. */
@@ -49,7 +52,7 @@ final class PlanningRun {
   private final FirstPathFinder firstPathFinder;
   private final List<WayPath.Progress> progress = new ArrayList<>();
   private long iterations;
-  private long nextSearch = CHANCE;
+  private long nextSearch;
   private @Nullable WayPoints best;
   private double bestLength = Double.POSITIVE_INFINITY;
 
@@ -75,6 +78,7 @@ final class PlanningRun {
     this.shortener = new PathShortener(space, budget::isTimeOver);
     this.tree = new RandomTree(space, ends, random);
     this.firstPathFinder = new FirstPathFinder(space, ends, budget);
+    this.nextSearch = space.radiusInCells() <= 0.5 ? CHANCE_IN_CELLS : CHANCE;
   }
 
   SmoothResult plan() {

@@ -27,7 +27,10 @@ final class RandomTree {
   private static final double STEP = 0.25;
 
   /** How often a narrow passage is tried, while there are some. */
-  private static final double PASSAGE_BIAS = 0.3;
+  private static final double PASSAGE_BIAS = 0.2;
+
+  /** The same until the goal is reached. */
+  private static final double PASSAGE_BIAS_AT_FIRST = 0.45;
 
   /** How often a line that is not free is halved. */
   private static final int HALVINGS = 3;
@@ -117,7 +120,8 @@ final class RandomTree {
 
   /** One iteration. */
   void grow() {
-    if (!passages.isEmpty() && random.nextDouble() < PASSAGE_BIAS) {
+    if (!passages.isEmpty()
+        && random.nextDouble() < (hasPath() ? PASSAGE_BIAS : PASSAGE_BIAS_AT_FIRST)) {
       goThroughPassage();
       return;
     }
@@ -181,7 +185,7 @@ final class RandomTree {
       double atX = nearX + share * (x - nearX);
       double atY = nearY + share * (y - nearY);
       if (space.isFree(nearX, nearY, atX, atY)) {
-        connect(atX, atY);
+        add(atX, atY, nearest); // to arrive comes first; paths are shortened once there is one
         return;
       }
       share /= 2;

@@ -12,8 +12,8 @@ import org.toqa.planning.smooth.DiscSpace;
  * equal distances. Near walls they are moved a little away from them, as a spline runs on the inner
  * side of its control points. Where the curve would touch a wall, it is made again with more points
  * that are moved less: the closer they are, the closer is the curve to the path, which is free.
- * Where even the closest touches, as in a bend that just fits, the lines are driven as they are,
- * with turns on the spot.
+ * Where even the closest touches, as in a bend that just fits, each half of the path becomes a
+ * curve of its own, and so on down to a single line; between two, the robot turns on the spot.
  */
 public final class SplineFitter {
   /** Control points in a radius of the disc, and by which share of it they keep off walls. */
@@ -51,23 +51,65 @@ public final class SplineFitter {
    * @param goal the same where it ends
    */
   public SmoothCurve fit(List<Vec2> path, @Nullable Double start, @Nullable Double goal) {
-    double length = Vec2.lengthOf(path);
-    if (path.size() < 2 || length == 0) {
-      return new SmoothCurve(List.of());
+    List<Vec2> points = withoutRepeats(path);
+    List<CubicSpline> pieces = new ArrayList<>();
+    if (points.size() > 1) {
+      addPieces(pieces, points);
+      if (start != null) {
+        pieces.set(0, withHeading(pieces.getFirst(), start));
+      }
+      if (goal != null) {
+        CubicSpline back = withHeading(pieces.getLast().reversed(), goal + Math.PI);
+        pieces.set(pieces.size() - 1, back.reversed());
+      }
     }
+    return new SmoothCurve(pieces);
+  }
+
+  private static List<Vec2> withoutRepeats(List<Vec2> path) {
+    List<Vec2> points = new ArrayList<>();
+    for (Vec2 point : path) {
+      if (points.isEmpty() || !points.getLast().equals(point)) {
+        points.add(point);
+      }
+    }
+    return points;
+  }
+
+  /** One spline for the whole path; where there is none, one for each half of it, and so on. */
+  private void addPieces(List<CubicSpline> pieces, List<Vec2> path) {
+    CubicSpline whole = path.size() == 2 ? straight(path) : freeSpline(path);
+    if (whole != null) {
+      pieces.add(whole);
+      return;
+    }
+    int middle = path.size() / 2;
+    addPieces(pieces, path.subList(0, middle + 1));
+    addPieces(pieces, path.subList(middle, path.size()));
+  }
+
+  private @Nullable CubicSpline freeSpline(List<Vec2> path) {
+    double length = Vec2.lengthOf(path);
     for (double[] attempt : TRIES) {
       double points = Math.ceil(length / space.radius() * attempt[0]);
       if (points > MOST_POINTS) {
-        break;
+        return null;
       }
       List<Vec2> controls = resampled(path, length, (int) Math.max(4, points));
       keepOffWalls(controls, attempt[1] * space.radius());
       CubicSpline spline = CubicSpline.through(controls);
       if (checker.isFree(spline)) {
-        return new SmoothCurve(List.of(withHeadings(spline, start, goal)));
+        return spline;
       }
     }
-    return withTurnsOnSpot(path);
+    return null;
+  }
+
+  /** With a few control points more, so that it can turn into a heading at an end. */
+  private CubicSpline straight(List<Vec2> line) {
+    double length = Vec2.lengthOf(line);
+    double points = Math.ceil(length / space.radius() * TRIES[0][0]);
+    return CubicSpline.through(resampled(line, length, (int) Math.clamp(points, 4, MOST_POINTS)));
   }
 
   /** Points on the path at equal distances along it. */
@@ -100,15 +142,6 @@ public final class SplineFitter {
     }
   }
 
-  private CubicSpline withHeadings(
-      CubicSpline spline, @Nullable Double start, @Nullable Double goal) {
-    CubicSpline turned = start == null ? spline : withHeading(spline, start);
-    if (goal != null) {
-      turned = withHeading(turned.reversed(), goal + Math.PI).reversed();
-    }
-    return turned;
-  }
-
   /** Begins in a direction, if there is room; else as it was. */
   private CubicSpline withHeading(CubicSpline spline, double heading) {
     Vec2 start = spline.position(0);
@@ -124,17 +157,5 @@ public final class SplineFitter {
     controls.set(1, start.times(6).minus(third.times(2)).plus(along.times(2)).times(0.25));
     CubicSpline turned = new CubicSpline(controls);
     return checker.isFree(turned) ? turned : spline;
-  }
-
-  private static SmoothCurve withTurnsOnSpot(List<Vec2> path) {
-    List<CubicSpline> pieces = new ArrayList<>();
-    for (int i = 1; i < path.size(); i++) {
-      Vec2 from = path.get(i - 1);
-      Vec2 along = path.get(i).minus(from);
-      if (along.norm() > 0) {
-        pieces.add(CubicSpline.through(List.of(from, from.plus(along.times(0.5)), path.get(i))));
-      }
-    }
-    return new SmoothCurve(pieces);
   }
 }
