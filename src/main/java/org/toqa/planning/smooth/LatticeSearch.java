@@ -193,7 +193,8 @@ final class LatticeSearch {
   }
 
   private double y(int point) {
-    return (point / columns + offset) * spacing;
+    int row = point / columns;
+    return (row + offset) * spacing;
   }
 
   private double heuristic(int point) {
@@ -201,11 +202,11 @@ final class LatticeSearch {
   }
 
   private int page(int point) {
-    return (point / columns >> PAGE_BITS) * pagesAcross + (point % columns >> PAGE_BITS);
+    return ((point / columns) >> PAGE_BITS) * pagesAcross + (point % columns >> PAGE_BITS);
   }
 
   private int inPage(int point) {
-    return ((point / columns & PAGE - 1) << PAGE_BITS) + (point % columns & PAGE - 1);
+    return (((point / columns) & (PAGE - 1)) << PAGE_BITS) + ((point % columns) & (PAGE - 1));
   }
 
   private float costOf(int point) {
