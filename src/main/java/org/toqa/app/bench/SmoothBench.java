@@ -1,5 +1,6 @@
 package org.toqa.app.bench;
 
+import java.nio.file.Path;
 import java.util.List;
 import java.util.concurrent.Callable;
 import java.util.stream.LongStream;
@@ -59,7 +60,7 @@ final class SmoothBench implements Callable<Integer> {
       description =
           "Map: the .yaml file of a ROS map_server pair, or a MovingAI .map file (default: random"
               + " scenes).")
-  private java.nio.file.@Nullable Path map;
+  private @Nullable Path map;
 
   @Option(
       names = "--from",
@@ -129,7 +130,7 @@ final class SmoothBench implements Callable<Integer> {
     return map == null ? planInScenes(arguments) : planOnMap(arguments, map);
   }
 
-  private int planOnMap(Arguments arguments, java.nio.file.Path file) {
+  private int planOnMap(Arguments arguments, Path file) {
     if (from == null || to == null || limitMs == null) {
       throw arguments.invalid("With --map, the options --from, --to and --limit-ms are needed");
     }

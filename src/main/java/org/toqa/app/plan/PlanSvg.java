@@ -156,7 +156,7 @@ final class PlanSvg {
   private void drawCaption() {
     Trajectory trajectory = drive.trajectory();
     double top = walls.height() * scale + FRAME;
-    drawText(
+    svg.label(
         String.format(
             Locale.ROOT,
             "%s: cost %.2f cells, %.2f m driven in %.1f s, %d turns on the spot",
@@ -177,24 +177,8 @@ final class PlanSvg {
   }
 
   private void drawLegend(String sign, String colour, String text, double left, double top) {
-    drawText(sign, FRAME + left, top + 48, colour);
-    drawText(text, FRAME + left + 20, top + 48, TEXT);
-  }
-
-  private void drawText(String text, double x, double y, String colour) {
-    svg.text(
-        text,
-        "text",
-        "x",
-        number(x),
-        "y",
-        number(y),
-        "font-size",
-        "14",
-        "font-family",
-        "sans-serif",
-        "fill",
-        colour);
+    svg.label(sign, FRAME + left, top + 48, colour);
+    svg.label(text, FRAME + left + 20, top + 48, TEXT);
   }
 
   private void fillCells(BitSet cells, String colour) {
@@ -203,20 +187,7 @@ final class PlanSvg {
   }
 
   private void drawStroke(String path, String colour, double width) {
-    svg.element(
-        "path",
-        "d",
-        path,
-        "fill",
-        "none",
-        "stroke",
-        colour,
-        "stroke-width",
-        number(pixels(width)),
-        "stroke-linecap",
-        "round",
-        "stroke-linejoin",
-        "round");
+    svg.stroke(path, colour, pixels(width));
   }
 
   private void drawDot(Vec2 at, double radius, String colour) {

@@ -60,8 +60,8 @@ final class SmoothSvg {
         "rect", "width", number(grid.width()), "height", number(grid.height()), "fill", FREE);
     svg.element("path", "d", shapes.cellArea(grid.occupied()), "fill", WALL);
     double disc = 2 * drive.space().radius() / grid.resolution();
-    stroke(curve(), LINE, disc);
-    stroke(curve(), CURVE, 2.5 / scale);
+    svg.stroke(curve(), LINE, disc);
+    svg.stroke(curve(), CURVE, 2.5 / scale);
     svg.close();
     drawChart(grid.height() * scale + 2 * FRAME);
     return svg.end();
@@ -78,11 +78,12 @@ final class SmoothSvg {
   private void drawChart(double top) {
     double fastest = DifferentialLimits.DEFAULT.wheelSpeed();
     double middle = top + CHART / 2;
-    stroke("M%s %sH%s".formatted(number(FRAME), number(middle), number(width - FRAME)), LINE, 1);
+    svg.stroke(
+        "M%s %sH%s".formatted(number(FRAME), number(middle), number(width - FRAME)), LINE, 1);
     drawSpeeds(middle, fastest, c -> c.left().speed(), LEFT);
     drawSpeeds(middle, fastest, c -> c.right().speed(), RIGHT);
     drawSpeeds(middle, fastest, WheelCommand::v, CURVE);
-    drawText(
+    svg.label(
         String.format(
             Locale.ROOT,
             "%s: %.2f m in %.1f s, at most %.2f radians per metre, %d turns on the spot",
@@ -94,10 +95,10 @@ final class SmoothSvg {
         FRAME,
         top + CHART + 20,
         TEXT);
-    drawText("speed", FRAME, top + CHART + 42, CURVE);
-    drawText("left wheel", FRAME + 70, top + CHART + 42, LEFT);
-    drawText("right wheel", FRAME + 170, top + CHART + 42, RIGHT);
-    drawText("from -0.52 to 0.52 m/s", FRAME + 280, top + CHART + 42, TEXT);
+    svg.label("speed", FRAME, top + CHART + 42, CURVE);
+    svg.label("left wheel", FRAME + 70, top + CHART + 42, LEFT);
+    svg.label("right wheel", FRAME + 170, top + CHART + 42, RIGHT);
+    svg.label("from -0.52 to 0.52 m/s", FRAME + 280, top + CHART + 42, TEXT);
   }
 
   private void drawSpeeds(
@@ -111,39 +112,6 @@ final class SmoothSvg {
                         + " "
                         + number(middle - CHART / 2 * speed.applyAsDouble(c) / fastest))
             .collect(Collectors.joining("L", "M", ""));
-    stroke(line, colour, 1.5);
-  }
-
-  private void stroke(String path, String colour, double breadth) {
-    svg.element(
-        "path",
-        "d",
-        path,
-        "fill",
-        "none",
-        "stroke",
-        colour,
-        "stroke-width",
-        number(breadth),
-        "stroke-linecap",
-        "round",
-        "stroke-linejoin",
-        "round");
-  }
-
-  private void drawText(String text, double x, double y, String colour) {
-    svg.text(
-        text,
-        "text",
-        "x",
-        number(x),
-        "y",
-        number(y),
-        "font-size",
-        "14",
-        "font-family",
-        "sans-serif",
-        "fill",
-        colour);
+    svg.stroke(line, colour, 1.5);
   }
 }

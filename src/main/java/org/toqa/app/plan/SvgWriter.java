@@ -77,6 +77,41 @@ final class SvgWriter {
     close();
   }
 
+  /** A text of the page's size; its baseline begins at a point. */
+  void label(String content, double x, double y, String colour) {
+    text(
+        content,
+        "text",
+        "x",
+        number(x),
+        "y",
+        number(y),
+        "font-size",
+        "14",
+        "font-family",
+        "sans-serif",
+        "fill",
+        colour);
+  }
+
+  /** A line along a path, with round ends and corners. */
+  void stroke(String path, String colour, double width) {
+    element(
+        "path",
+        "d",
+        path,
+        "fill",
+        "none",
+        "stroke",
+        colour,
+        "stroke-width",
+        number(width),
+        "stroke-linecap",
+        "round",
+        "stroke-linejoin",
+        "round");
+  }
+
   /** Ends the document. */
   String end() {
     try {

@@ -134,30 +134,28 @@ final class WallRuns {
       double y0,
       double x1,
       double y1) {
-    double enter = 0;
-    double leave = 1;
-    if (x0 == x1) {
-      if (x0 <= left || x0 >= right) {
-        return false;
-      }
-    } else {
-      double a = (left - x0) / (x1 - x0);
-      double b = (right - x0) / (x1 - x0);
-      enter = Math.max(enter, Math.min(a, b));
-      leave = Math.min(leave, Math.max(a, b));
-    }
-    if (y0 == y1) {
-      if (y0 <= bottom || y0 >= top) {
-        return false;
-      }
-    } else {
-      double a = (bottom - y0) / (y1 - y0);
-      double b = (top - y0) / (y1 - y0);
-      enter = Math.max(enter, Math.min(a, b));
-      leave = Math.min(leave, Math.max(a, b));
-    }
+    Span inside = Span.within(left, right, x0, x1).and(Span.within(bottom, top, y0, y1));
     boolean isPoint = x0 == x1 && y0 == y1;
-    return isPoint || leave > enter;
+    return isPoint ? inside.enter() <= inside.leave() : inside.enter() < inside.leave();
+  }
+
+  /** From where to where a line is in a slab, of its parameter from 0 to 1; empty: never. */
+  private record Span(double enter, double leave) {
+    private static final Span WHOLE = new Span(0, 1);
+    private static final Span NEVER = new Span(1, 0);
+
+    static Span within(double low, double high, double begin, double end) {
+      if (begin == end) {
+        return begin > low && begin < high ? WHOLE : NEVER;
+      }
+      double a = (low - begin) / (end - begin);
+      double b = (high - begin) / (end - begin);
+      return WHOLE.and(new Span(Math.min(a, b), Math.max(a, b)));
+    }
+
+    Span and(Span other) {
+      return new Span(Math.max(enter, other.enter), Math.min(leave, other.leave));
+    }
   }
 
   private boolean meetsDisc(double x, double y, double x0, double y0, double x1, double y1) {
