@@ -12,6 +12,8 @@ import org.toqa.motion.WheelSchedule;
 import org.toqa.planning.smooth.DiscSpace;
 import org.toqa.planning.smooth.WayPath;
 import org.toqa.planning.smooth.curve.CubicSpline;
+import org.toqa.planning.smooth.curve.PolynomialCurve;
+import org.toqa.planning.smooth.curve.PolynomialFitter;
 import org.toqa.planning.smooth.curve.SmoothCurve;
 import org.toqa.planning.smooth.curve.SplineFitter;
 
@@ -23,13 +25,15 @@ import org.toqa.planning.smooth.curve.SplineFitter;
  * @param curve metres, map frame
  * @param trajectory the same as segments, for robots of the ordinary link
  * @param schedule the same for two wheels, in samples of 30 ms
+ * @param polynomial the paper's y(x) through the same way points; null where none is free
  */
 record SmoothDrive(
     FloorMap floor,
     DiscSpace space,
     SmoothCurve curve,
     Trajectory trajectory,
-    WheelSchedule schedule) {
+    WheelSchedule schedule,
+    @Nullable PolynomialCurve polynomial) {
 
   /** Metres between points of the curve that are drawn or printed. */
   static final double APART = 0.01;
@@ -54,7 +58,8 @@ record SmoothDrive(
         space,
         curve,
         new Trajectory(new Pose(from.x(), from.y(), heading), fitted.segments()),
-        WheelSchedule.of(heading, curve.pieces(), last, DifferentialLimits.DEFAULT));
+        WheelSchedule.of(heading, curve.pieces(), last, DifferentialLimits.DEFAULT),
+        new PolynomialFitter(space).fit(path.points()).orElse(null));
   }
 
   /** Between curves; one at the start is not counted. */

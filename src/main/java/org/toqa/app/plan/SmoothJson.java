@@ -6,6 +6,7 @@ import org.toqa.geometry.Pose;
 import org.toqa.motion.Segment;
 import org.toqa.motion.WheelCommand;
 import org.toqa.planning.smooth.SmoothResult.Reason;
+import org.toqa.planning.smooth.curve.PolynomialCurve;
 import tools.jackson.databind.json.JsonMapper;
 
 /**
@@ -20,6 +21,8 @@ import tools.jackson.databind.json.JsonMapper;
  * @param path points of the curve, metres, map frame
  * @param segments v in metres a second, w in radians a second, positive to the left, t in seconds
  * @param wheels samples of 30 ms
+ * @param polynomial from and to in metres, map frame, and bulge, as {@link PolynomialCurve} has
+ *     them; null where none is free
  */
 record SmoothJson(
     boolean found,
@@ -31,7 +34,8 @@ record SmoothJson(
     @Nullable Pose start,
     List<double[]> path,
     List<Segment> segments,
-    List<WheelCommand> wheels) {
+    List<WheelCommand> wheels,
+    @Nullable PolynomialCurve polynomial) {
 
   static String of(SmoothDrive drive) {
     return text(
@@ -47,13 +51,14 @@ record SmoothJson(
                 .map(point -> new double[] {point.x(), point.y()})
                 .toList(),
             drive.trajectory().segments(),
-            drive.schedule().commands()));
+            drive.schedule().commands(),
+            drive.polynomial()));
   }
 
   static String of(Reason reason) {
     return text(
         new SmoothJson(
-            false, reason, null, null, null, null, null, List.of(), List.of(), List.of()));
+            false, reason, null, null, null, null, null, List.of(), List.of(), List.of(), null));
   }
 
   private static String text(SmoothJson plan) {

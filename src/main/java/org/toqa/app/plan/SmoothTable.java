@@ -2,8 +2,10 @@ package org.toqa.app.plan;
 
 import java.util.Formatter;
 import java.util.Locale;
+import org.jspecify.annotations.Nullable;
 import org.toqa.geometry.Pose;
 import org.toqa.motion.WheelCommand;
+import org.toqa.planning.smooth.curve.PolynomialCurve;
 
 /** A smooth curve for people, in a terminal. */
 final class SmoothTable {
@@ -17,9 +19,16 @@ final class SmoothTable {
     table.format("time    %.1f s%n", drive.schedule().duration());
     table.format("bend    at most %.2f radians per metre%n", drive.curve().maxCurvature());
     table.format("turns   %d on the spot%n", drive.turnsOnSpot());
+    table.format("y(x)    %s%n", polynomial(drive.polynomial()));
     PlanTable.addSegments(table, drive.trajectory());
     addWheels(table, drive);
     return table.toString().stripTrailing();
+  }
+
+  private static String polynomial(@Nullable PolynomialCurve curve) {
+    return curve == null
+        ? "no polynomial is free from start to goal"
+        : "a polynomial of degree %d is free too".formatted(curve.degree());
   }
 
   private static void addPlace(Formatter table, String name, Pose pose) {

@@ -116,14 +116,23 @@ class PlanCommandTest {
     assertTrue(json.path("length").doubleValue() > Math.hypot(4, 1));
     assertTrue(json.path("length").doubleValue() < 4.5);
     assertFalse(json.path("segments").isEmpty());
+    assertTrue(json.path("polynomial").isNull(), "it would touch the corner");
     for (JsonNode sample : json.path("wheels")) {
       assertTrue(Math.abs(sample.path("left").path("speed").doubleValue()) <= 0.52);
       assertTrue(sample.path("right").path("amplitude").intValue() <= 255);
     }
   }
 
+  @Test
+  void aPolynomialThatTouchesNothingIsTold() throws IOException {
+    assertEquals(0, run("--from 0.5,0.5 --to 2,0.5 --moves smooth --margin 0.4 --format json"));
+    JsonNode polynomial = JsonMapper.shared().readTree(out.toString()).path("polynomial");
+    assertEquals(2, polynomial.path("to").path("x").doubleValue());
+    assertEquals(1, polynomial.path("bulge").size());
+  }
+
   @ParameterizedTest
-  @CsvSource({"table, turns   0 on the spot", "svg, right wheel"})
+  @CsvSource({"table, turns   0 on the spot", "table, no polynomial is free", "svg, right wheel"})
   void smoothMovesAreShownToPeople(String format, String words) {
     assertEquals(
         0, run("--from 0.5,0.5 --to 4.5,1.5 --moves smooth --margin 0.4 --format " + format));
