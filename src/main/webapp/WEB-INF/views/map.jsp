@@ -87,8 +87,10 @@
         <ul id="tasks" class="entries"></ul>
         <p id="more-tasks" class="faint" hidden></p>
         <p id="no-tasks" class="faint" hidden><fmt:message key="map.tasks.none"/></p>
-        <c:if test="${not caller.isVisitor()}"><a role="button" class="wide" href="${root}/tasks/new"><fmt:message key="tasks.new"/></a></c:if>
-        <a role="button" class="outline wide" href="${root}/loads"><fmt:message key="map.allLoads"/></a>
+        <div class="choices">
+          <c:if test="${not caller.isVisitor()}"><a role="button" class="wide" href="${root}/tasks/new"><fmt:message key="tasks.new"/></a></c:if>
+          <a role="button" class="outline wide" href="${root}/loads"><fmt:message key="map.allLoads"/></a>
+        </div>
       </section>
       <section>
         <h2><fmt:message key="map.robots"/></h2>
