@@ -411,6 +411,7 @@ public enum Phrase {
   // What speaks against a floor or its map
   FLOOR_NAME_BAD,
   FLOOR_NAME_TAKEN,
+  STATION_NAME_TAKEN,
   LAST_FLOOR,
   TASK_STAYS_ON_FLOOR,
   FLOOR_HAS_ROBOTS,
@@ -421,6 +422,8 @@ public enum Phrase {
   MAP_HAS_PROBLEMS,
   MAP_HAS_NO_ROOM,
   PLACE_CUT_OFF,
+  PLACE_NOT_REACHED,
+  PLACE_NOT_LEFT,
   ROBOT_IN_NEW_WALL,
   LOAD_IN_NEW_WALL,
   PARKING_GONE,

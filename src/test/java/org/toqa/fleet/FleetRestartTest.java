@@ -13,6 +13,7 @@ import org.junit.jupiter.api.Test;
 import org.toqa.geometry.Vec2;
 import org.toqa.grid.Cell;
 import org.toqa.grid.CellRuns;
+import org.toqa.grid.FloorDrawing;
 import org.toqa.mission.MissionEvent;
 import org.toqa.mission.TaskState;
 import org.toqa.wording.Sentence;
@@ -199,7 +200,8 @@ class FleetRestartTest extends HallFleetTest {
     stage
         .fleet
         .floorEditing()
-        .addFloor("old hall", stage.fleet.floors().getFirst().drawing(), "Max")
+        .addFloor(
+            "old hall", FloorDrawing.of(stage.fleet.floors().getFirst().drawing().walls()), "Max")
         .toCompletableFuture()
         .get(10, TimeUnit.SECONDS);
     until(view -> view.alerts().isEmpty());

@@ -88,6 +88,30 @@ class PublishedMapTest {
     assertTrue(track.stream().anyMatch(point -> point.x() > 9), "it came to the other side");
   }
 
+  @Test
+  void stationsOfAnotherFloorAreNotDrawnTwice() throws Exception {
+    FloorEditing editing = live.fleet.floorEditing();
+    FloorDrawing hall = live.fleet.floors().getFirst().drawing();
+    String taken =
+        "The floor hall has a station West already, and names of stations are unique in a site."
+            + " Choose another name.";
+
+    assertEquals(taken, refused(editing.addFloor("cellar", hall, "Max")));
+    assertEquals(1, live.fleet.floors().size());
+
+    accepted(editing.addFloor("cellar", FloorDrawing.of(hall.walls()), "Max"));
+    long revision = editing.draft("cellar").orElseThrow().revision();
+    long saved = accepted(editing.saveDraft("cellar", hall, revision, "Max")).revision();
+    assertTrue(
+        refused(editing.publish("cellar", saved, "Max")).contains(taken),
+        "it is not published either");
+  }
+
+  private static <T> String refused(CompletionStage<Answer<T>> answer) throws Exception {
+    Answer<T> given = answer.toCompletableFuture().get(10, TimeUnit.SECONDS);
+    return ((Answer.Conflict<T>) given).sentence().english();
+  }
+
   private void look(List<Vec2> track) {
     for (String robot : List.of("r1", "r2")) {
       live.robots.truePose(robot).map(Pose::position).ifPresent(track::add);

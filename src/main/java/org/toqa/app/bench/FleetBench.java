@@ -33,6 +33,7 @@ import org.toqa.fleet.FleetSnapshot;
 import org.toqa.grid.FloorDrawing;
 import org.toqa.grid.FloorMap;
 import org.toqa.grid.FloorWriter;
+import org.toqa.grid.Place;
 import org.toqa.sim.ClearanceJudge;
 import org.toqa.sim.ClearanceJudge.Clearance;
 import org.toqa.traffic.RoadGraph;
@@ -134,10 +135,30 @@ final class FleetBench implements Callable<Integer> {
     FloorDrawing drawing = arguments.readFloor(file).drawing();
     List<String> files = new ArrayList<>();
     for (int i = 1; i <= floors; i++) {
-      FloorWriter.mapServerFiles("floor" + i, drawing).writeTo(folder);
+      FloorWriter.mapServerFiles("floor" + i, named(drawing, i)).writeTo(folder);
       files.add(folder.resolve("floor" + i + ".yaml").toString());
     }
     return String.join(File.pathSeparator, files);
+  }
+
+  /** With stations of its own, since their names are unique in a site. */
+  private static FloorDrawing named(FloorDrawing drawing, int floor) {
+    return new FloorDrawing(
+        drawing.walls(),
+        drawing.stations().stream()
+            .map(
+                station ->
+                    new Place(
+                        station.name() + " " + floor,
+                        station.position(),
+                        station.heading(),
+                        station.approach()))
+            .toList(),
+        drawing.parking(),
+        drawing.charging(),
+        drawing.keepOut(),
+        drawing.speedLimits(),
+        drawing.oneWay());
   }
 
   private int measure(FleetServer toqa, URI address, StopSignal stop) throws Exception {

@@ -3,7 +3,10 @@ package org.toqa.app.server;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.time.Instant;
+import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 import org.toqa.app.config.Configuration;
@@ -12,6 +15,7 @@ import org.toqa.fleet.EventRecord;
 import org.toqa.fleet.FloorStore;
 import org.toqa.grid.FloorMap;
 import org.toqa.grid.FloorReader;
+import org.toqa.grid.Place;
 import org.toqa.persistence.StoreException;
 import org.toqa.wording.Phrase;
 
@@ -32,9 +36,8 @@ final class FirstFloors {
     try {
       List<FloorMap> stored = store.floors();
       if (stored.isEmpty()) {
-        for (Path file : configuration.maps()) {
-          add(FloorReader.read(file), store, now);
-        }
+        List<FloorMap> maps = read(configuration.maps());
+        maps.forEach(map -> add(map, store, now));
         return store.floors();
       }
       tellUnused(configuration, stored);
@@ -42,6 +45,25 @@ final class FirstFloors {
     } catch (StoreException e) {
       throw new IOException("The floors cannot be read or stored: " + e.getMessage(), e);
     }
+  }
+
+  /** In a site a station's name means one place. */
+  private static List<FloorMap> read(List<Path> files) throws IOException {
+    List<FloorMap> maps = new ArrayList<>();
+    Map<String, Path> stations = new HashMap<>();
+    for (Path file : files) {
+      FloorMap map = FloorReader.read(file);
+      for (Place station : map.stations()) {
+        Path other = stations.putIfAbsent(station.name(), file);
+        if (other != null) {
+          throw new IOException(
+              "%s has a station %s, as %s has: give it another name in one of them"
+                  .formatted(file, station.name(), other));
+        }
+      }
+      maps.add(map);
+    }
+    return maps;
   }
 
   private static void add(FloorMap map, FloorStore store, Instant now) {

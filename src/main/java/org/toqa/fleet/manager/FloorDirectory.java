@@ -1,7 +1,9 @@
 package org.toqa.fleet.manager;
 
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import org.jspecify.annotations.Nullable;
 import org.toqa.fleet.Answer;
@@ -43,6 +45,17 @@ final class FloorDirectory {
 
   List<FloorMap> maps() {
     return entries.stream().map(FloorEntry::map).toList();
+  }
+
+  /** The other floors by the names of their stations. */
+  Map<String, String> stationsBeside(String floor) {
+    Map<String, String> names = new HashMap<>();
+    for (FloorMap map : maps()) {
+      if (!map.name().equals(floor)) {
+        map.stations().forEach(station -> names.putIfAbsent(station.name(), map.name()));
+      }
+    }
+    return names;
   }
 
   /** The floor that an order means. */

@@ -3,6 +3,7 @@ package org.toqa.fleet.manager;
 import java.time.Duration;
 import java.time.Instant;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionStage;
@@ -123,6 +124,14 @@ final class FloorEditor implements FloorEditing, AutoCloseable {
     }
     return inTurn(
         () -> {
+          Map<String, String> elsewhere = floors.stationsBeside(name);
+          Optional<Sentence> taken =
+              drawing.stations().stream()
+                  .flatMap(station -> MapCheck.takenName(station, elsewhere).stream())
+                  .findFirst();
+          if (taken.isPresent()) {
+            return new Answer.Conflict<>(taken.get(), null);
+          }
           FloorMap map = new FloorMap(name, drawing, margins());
           if (!store.addFloor(
               map,
@@ -262,6 +271,7 @@ final class FloorEditor implements FloorEditing, AutoCloseable {
             .toList();
     return new MapCheck(
             entry.map().grid(),
+            floors.stationsBeside(entry.name()),
             entry.snapshots().latest().robots(),
             tasks,
             leftLoads(entry),

@@ -1,9 +1,8 @@
 package org.toqa.fleet.manager;
 
 import java.util.ArrayList;
-import java.util.Arrays;
-import java.util.BitSet;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
@@ -16,7 +15,6 @@ import org.toqa.fleet.floor.PlaceCheck;
 import org.toqa.geometry.Vec2;
 import org.toqa.grid.Disc;
 import org.toqa.grid.FloorDrawing;
-import org.toqa.grid.Inflation;
 import org.toqa.grid.OccupancyGrid;
 import org.toqa.grid.Place;
 import org.toqa.mission.TaskPlace;
@@ -28,12 +26,14 @@ import org.toqa.wording.Sentence;
  * What speaks against a drawing of a floor, by itself and by what is on the floor now.
  *
  * @param before the grid that is in force
+ * @param elsewhere the site's other floors by the names of their stations
  * @param robots of the floor
  * @param tasks that have not ended
  * @param schedules all of the floor
  */
 record MapCheck(
     OccupancyGrid before,
+    Map<String, String> elsewhere,
     List<RobotView> robots,
     List<TransportTask> tasks,
     List<LeftLoad> loads,
@@ -46,6 +46,7 @@ record MapCheck(
     OccupancyGrid grid = drawing.drivable();
     List<MapProblem> problems = new ArrayList<>();
     addPlaces(drawing, grid, problems);
+    addTakenNames(drawing, problems);
     robots.forEach(robot -> addRobot(robot, drawing, grid, problems));
     tasks.forEach(task -> addTask(task, grid, problems));
     loads.forEach(load -> addLoad(load, grid, problems));
@@ -70,12 +71,21 @@ record MapCheck(
         .forEach(
             place ->
                 objection(grid, place.name(), place.position())
-                    .or(
-                        () ->
-                            reach.contains(place.position())
-                                ? Optional.empty()
-                                : Optional.of(Phrase.PLACE_CUT_OFF.with(place.name())))
+                    .or(() -> reach.objection(place))
                     .ifPresent(text -> problems.add(blocking(text, place.position()))));
+  }
+
+  private void addTakenNames(FloorDrawing drawing, List<MapProblem> problems) {
+    for (Place station : drawing.stations()) {
+      takenName(station, elsewhere)
+          .ifPresent(text -> problems.add(blocking(text, station.position())));
+    }
+  }
+
+  /** What is said of a station whose name another floor of the site has. */
+  static Optional<Sentence> takenName(Place station, Map<String, String> elsewhere) {
+    return Optional.ofNullable(elsewhere.get(station.name()))
+        .map(floor -> Phrase.STATION_NAME_TAKEN.with(station.name(), floor));
   }
 
   private static Optional<Sentence> objection(OccupancyGrid grid, String name, Vec2 position) {
@@ -168,70 +178,6 @@ record MapCheck(
   private static void hint(List<Place> places, Phrase text, List<MapProblem> problems) {
     if (places.isEmpty()) {
       problems.add(new MapProblem(false, text.with(), null));
-    }
-  }
-
-  /**
-   * Where the smallest robot gets, by moves of the grid: from most of the places to each other, or,
-   * without places, the largest part of the floor.
-   *
-   * @param cells by {@link OccupancyGrid#index}
-   */
-  private record Reach(OccupancyGrid grid, BitSet cells) {
-    static Reach of(OccupancyGrid grid, List<Place> places) {
-      OccupancyGrid room = Inflation.inflate(grid, PlaceCheck.SMALLEST_RADIUS);
-      BitSet unseen = new BitSet(room.width() * room.height());
-      unseen.set(0, room.width() * room.height());
-      unseen.andNot(room.occupied());
-      Reach best = new Reach(grid, new BitSet());
-      long most = -1;
-      for (int start = unseen.nextSetBit(0); start >= 0; start = unseen.nextSetBit(start)) {
-        Reach part = new Reach(grid, flood(room, unseen, start));
-        long reached = places.stream().filter(p -> part.contains(p.position())).count();
-        if (reached > most
-            || (reached == most && part.cells.cardinality() > best.cells.cardinality())) {
-          best = part;
-          most = reached;
-        }
-      }
-      return best;
-    }
-
-    /** The cells that are connected with one, which are taken out of the unseen. */
-    private static BitSet flood(OccupancyGrid room, BitSet unseen, int start) {
-      BitSet part = new BitSet();
-      int[] open = new int[64];
-      int count = 0;
-      open[count++] = start;
-      unseen.clear(start);
-      int width = room.width();
-      while (count > 0) {
-        int cell = open[--count];
-        part.set(cell);
-        int column = cell % width;
-        int[] next = {
-          column > 0 ? cell - 1 : -1, column < width - 1 ? cell + 1 : -1, cell - width, cell + width
-        };
-        for (int neighbour : next) {
-          if (neighbour >= 0 && unseen.get(neighbour)) {
-            unseen.clear(neighbour);
-            if (count == open.length) {
-              open = Arrays.copyOf(open, 2 * count);
-            }
-            open[count++] = neighbour;
-          }
-        }
-      }
-      return part;
-    }
-
-    boolean isEmpty() {
-      return cells.isEmpty();
-    }
-
-    /** Whether a robot gets to the point, or to the middle of a cell beside it. */
-    boolean contains(Vec2 point) {
-      return grid.cellsAround(point, 1).stream().anyMatch(cell -> cells.get(grid.index(cell)));
     }
   }
 }
