@@ -1,6 +1,7 @@
 package org.toqa.app.server;
 
 import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertInstanceOf;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.nio.file.Path;
@@ -20,6 +21,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.toqa.allocation.Policy;
+import org.toqa.fleet.Answer;
 import org.toqa.fleet.ChargingRules;
 import org.toqa.fleet.FleetRules;
 import org.toqa.fleet.FloorsInMemory;
@@ -27,6 +29,7 @@ import org.toqa.fleet.RobotRecord;
 import org.toqa.fleet.RobotState;
 import org.toqa.fleet.ServerRuntime;
 import org.toqa.fleet.TaskOrder;
+import org.toqa.fleet.TaskView;
 import org.toqa.fleet.manager.AgentFleet;
 import org.toqa.geometry.Pose;
 import org.toqa.geometry.Vec2;
@@ -46,6 +49,7 @@ import org.toqa.link.message.ServerMessage;
 import org.toqa.link.trust.IdentityFile;
 import org.toqa.link.trust.LinkTls;
 import org.toqa.link.trust.PairingCode;
+import org.toqa.mission.TaskState;
 import org.toqa.sim.SimulatedFleet;
 import org.toqa.sim.SimulatedFloor;
 import org.toqa.sim.SimulatedRobot;
@@ -59,7 +63,7 @@ import org.toqa.wording.Sentence;
 
 /**
  * Two real daemons that have to pass each other, and a plan for both of them that never ends; a
- * third one drives apart from them.
+ * third one drives apart from them, and a fourth one on another floor.
  */
 class BusyFloorTest {
   /**
@@ -92,23 +96,34 @@ class BusyFloorTest {
             places,
             List.of(),
             List.of());
+    FloorMap hall =
+        new FloorMap(
+            "hall",
+            OccupancyGrid.parse("......", "......"),
+            List.of(new Place("A", new Vec2(0.5, 0.5)), new Place("B", new Vec2(5.5, 1.5))),
+            List.of(),
+            List.of());
     VirtualClock clock = new VirtualClock(Instant.EPOCH, SPEED);
     SimulatedFleet robots =
         SimulatedFleet.open(
             folder,
-            List.of(
-                new SimulatedRobot("r1", new Pose(0.5, 3.5, 0), 5, 1),
-                new SimulatedRobot("r2", new Pose(11.5, 3.5, 0), 5, 1),
-                new SimulatedRobot("r3", new Pose(0.5, 0.5, 0), 5, 1)),
-            SimulatedFloor.of(floor),
+            Map.of(
+                SimulatedFloor.of(floor),
+                List.of(
+                    new SimulatedRobot("r1", new Pose(0.5, 3.5, 0), 5, 1),
+                    new SimulatedRobot("r2", new Pose(11.5, 3.5, 0), 5, 1),
+                    new SimulatedRobot("r3", new Pose(0.5, 0.5, 0), 5, 1)),
+                SimulatedFloor.of(hall),
+                List.of(new SimulatedRobot("r4", new Pose(2.5, 1.5, 0), 5, 1))),
             clock);
     parts.add(robots);
     Database database = MemoryDatabase.open("busy-" + System.nanoTime());
     parts.add(database);
     JdbiFleetStore store = new JdbiFleetStore(database.jdbi());
-    for (String robot : List.of("r1", "r2", "r3")) {
+    for (String robot : List.of("r1", "r2", "r3", "r4")) {
+      String where = robot.equals("r4") ? hall.name() : floor.name();
       store.saveRobot(
-          RobotRecord.direct(robot, "aisle", "127.0.0.1", robots.port(robot), 5, null, true, null));
+          RobotRecord.direct(robot, where, "127.0.0.1", robots.port(robot), 5, null, true, null));
     }
     SimulatedLinks links =
         new SimulatedLinks(
@@ -118,7 +133,7 @@ class BusyFloorTest {
     clock.add(links, VirtualClock.STEP);
     fleet =
         new AgentFleet(
-            FloorsInMemory.of(floor),
+            FloorsInMemory.of(floor, hall),
             store,
             new JdbiScheduleStore(database.jdbi()),
             new WatchedLinks(links),
@@ -148,14 +163,18 @@ class BusyFloorTest {
             fleet.snapshots().latest().robots().stream()
                     .filter(r -> r.state() == RobotState.IDLE)
                     .count()
-                == 3);
+                == 4);
     order("Begin", "End");
     until(() -> eastOf("r3") > 1.5);
-    order("Left", "Right");
+    long crossing = order("Left", "Right");
     order("Right", "Left");
     assertTrue(runtime.isPlanning.await(60, TimeUnit.SECONDS));
     assertTrue(eastOf("r3") < 6, "it has nearly arrived");
     until(() -> eastOf("r3") > 6.4);
+
+    long elsewhere = order("A", "B");
+    until(() -> isDone(elsewhere));
+    assertFalse(isDone(crossing), "there is no plan for it");
 
     pings.clear();
     until(() -> pings.getOrDefault("r1", 0) >= 10 && pings.getOrDefault("r2", 0) >= 10);
@@ -173,6 +192,11 @@ class BusyFloorTest {
     paused.toCompletableFuture().get(60, TimeUnit.SECONDS);
   }
 
+  private boolean isDone(long task) {
+    return fleet.snapshots().latest().tasks().stream()
+        .anyMatch(view -> view.id() == task && view.state() == TaskState.DONE);
+  }
+
   /** Where the snapshots show it, metres. */
   private double eastOf(String robot) {
     return fleet.snapshots().latest().robots().stream()
@@ -184,7 +208,7 @@ class BusyFloorTest {
         .orElse(0);
   }
 
-  private void order(String from, String to) throws Exception {
+  private long order(String from, String to) throws Exception {
     TaskOrder order =
         new TaskOrder(
             "crate",
@@ -195,7 +219,10 @@ class BusyFloorTest {
             0,
             null,
             null);
-    fleet.submit(order, "Clara").toCompletableFuture().get(30, TimeUnit.SECONDS);
+    Answer<TaskView> answer =
+        fleet.submit(order, "Clara").toCompletableFuture().get(30, TimeUnit.SECONDS);
+    assertInstanceOf(Answer.Accepted.class, answer);
+    return ((Answer.Accepted<TaskView>) answer).value().id();
   }
 
   private void until(BooleanSupplier condition) throws InterruptedException {
