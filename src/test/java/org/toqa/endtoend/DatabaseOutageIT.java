@@ -14,19 +14,13 @@ import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import org.junit.jupiter.api.parallel.Execution;
-import org.junit.jupiter.api.parallel.ExecutionMode;
-import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.ValueSource;
 import org.toqa.testbed.FaultyTcpProxy;
 import org.toqa.testbed.Needed;
 import org.toqa.testbed.OwnMySql;
-import org.toqa.testbed.RealMySql;
 import tools.jackson.databind.JsonNode;
 
 /** MySQL goes away while robots carry, by four faults, and comes back. */
 @Tag("full")
-@Execution(ExecutionMode.CONCURRENT)
 class DatabaseOutageIT {
   private static final long LIMIT_NANOS = TimeUnit.MINUTES.toNanos(10);
 
@@ -37,63 +31,47 @@ class DatabaseOutageIT {
     void happens() throws Exception;
   }
 
-  @ParameterizedTest
-  @ValueSource(booleans = {true, false})
-  void robotsStandEverybodyIsToldAndThenAllGoesOn(boolean silently) throws Exception {
-    String url = RealMySql.newDatabase();
-    try (FaultyTcpProxy cable = FaultyTcpProxy.toDatabase(url)) {
-      goesAwayAndComesBack(cable.through(url), silently ? cable::silence : cable::cut, cable::mend);
-    }
-  }
-
   @Test
-  void robotsStandWhileTheServerIsFrozen() throws Exception {
-    assumeOwnServer();
-    try (OwnMySql mySql = new OwnMySql(folder)) {
-      goesAwayAndComesBack(mySql.url(), mySql::freeze, mySql::thaw);
-    }
-  }
-
-  @Test
-  void robotsStandWhileTheServerIsRestarted() throws Exception {
-    assumeOwnServer();
-    try (OwnMySql mySql = new OwnMySql(folder)) {
-      goesAwayAndComesBack(mySql.url(), mySql::kill, mySql::startAgain);
-    }
-  }
-
-  /** Where somebody brings his own database server there may be none that a test may kill. */
-  private static void assumeOwnServer() {
+  void robotsStandEverybodyIsToldAndThenAllGoesOn() throws Exception {
+    // where somebody brings his own database server there may be none that a test may kill
     Needed.orLeftOut(
         System.getenv("TOQA_TEST_MYSQL_URL") == null,
         "a MySQL that a test may kill: run ./toqa test without TOQA_TEST_MYSQL_URL");
+    try (OwnMySql mySql = new OwnMySql(folder);
+        FaultyTcpProxy cable = FaultyTcpProxy.toDatabase(mySql.url())) {
+      Path config = folder.resolve("server.yaml");
+      Files.writeString(config, "database:\n  url: \"%s\"\n".formatted(cable.through(mySql.url())));
+      try (RunningServer server =
+          new RunningServer(
+              folder, "--config", config.toString(), "--simulate", "1", "--speed", "10")) {
+        goesAwayAndComesBack(server, "cut", cable::cut, cable::mend);
+        goesAwayAndComesBack(server, "silent", cable::silence, cable::mend);
+        goesAwayAndComesBack(server, "frozen", mySql::freeze, mySql::thaw);
+        goesAwayAndComesBack(server, "killed", mySql::kill, mySql::startAgain);
+        assertEquals(4, server.api().get("tasks").size());
+      }
+    }
   }
 
-  private void goesAwayAndComesBack(String url, Happening away, Happening back) throws Exception {
-    Path config = folder.resolve("server.yaml");
-    Files.writeString(config, "database:\n  url: \"%s\"\n".formatted(url));
-    try (RunningServer server =
-        new RunningServer(
-            folder, "--config", config.toString(), "--simulate", "1", "--speed", "10")) {
-      long task = server.addTask("crate", "Goods-in 1", "Packing 1");
-      server.awaitState(task, "TO_OBJECT");
+  private static void goesAwayAndComesBack(
+      RunningServer server, String name, Happening away, Happening back) throws Exception {
+    long task = server.addTask(name, "Goods-in 1", "Packing 1");
+    server.awaitState(task, "TO_OBJECT");
 
-      away.happens();
-      awaitHealth(server.root(), 503);
-      Optional<JsonNode> refused =
-          server.api().tryToPost("tasks", RunningServer.order("refused", "Mill", "Assembly"));
-      assertEquals(Optional.empty(), refused);
-      awaitStandingRobots(server);
-      back.happens();
+    away.happens();
+    awaitHealth(server.root(), 503);
+    Optional<JsonNode> refused =
+        server.api().tryToPost("tasks", RunningServer.order("refused", "Mill", "Assembly"));
+    assertEquals(Optional.empty(), refused);
+    awaitStandingRobots(server);
+    back.happens();
 
-      awaitHealth(server.root(), 200);
-      server.awaitState(task, "DONE");
-      server.await("tasks/" + task, t -> t.toString().contains("\"Done\""));
-      assertEquals(1, server.eventCount(task, "Created by"));
-      assertEquals(1, server.eventCount(task, "Picked up"));
-      assertEquals(1, server.eventCount(task, "Delivered"));
-      assertEquals(1, server.api().get("tasks").size());
-    }
+    awaitHealth(server.root(), 200);
+    server.awaitState(task, "DONE");
+    server.await("tasks/" + task, t -> t.toString().contains("\"Done\""));
+    assertEquals(1, server.eventCount(task, "Created by"));
+    assertEquals(1, server.eventCount(task, "Picked up"));
+    assertEquals(1, server.eventCount(task, "Delivered"));
   }
 
   private static void awaitHealth(URI root, int status) throws Exception {

@@ -223,10 +223,20 @@ public final class FleetStage implements AutoCloseable {
   /**
    * A store that says nothing to some agents, until this is said of others.
    *
-   * @param agents "manager", "floor-hall", "r1"
+   * @param agents such as "tasks-hall" and "floor-hall"
    */
   public void stopStoreFor(Predicate<String> agents) {
-    runtime.stop(name -> name.startsWith(STORE) && agents.test(name.substring(STORE.length())));
+    Predicate<String> executors =
+        name -> name.startsWith(STORE) && agents.test(name.substring(STORE.length()));
+    if (!runtime.hasSerialExecutor(executors)) {
+      throw new IllegalArgumentException("no agent is named so");
+    }
+    runtime.stop(executors);
+  }
+
+  /** For all agents again. */
+  public void startStore() {
+    runtime.stop(_ -> false);
   }
 
   /** Robots that take their time to pair, or no longer. */

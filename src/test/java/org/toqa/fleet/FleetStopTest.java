@@ -225,7 +225,7 @@ class FleetStopTest extends HallFleetTest {
   }
 
   private void startStore() throws InterruptedException {
-    stage.stopStoreFor(agent -> false);
+    stage.startStore();
     stage.awaitQuiescence();
   }
 

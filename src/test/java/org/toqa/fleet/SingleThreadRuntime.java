@@ -11,6 +11,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Queue;
+import java.util.Set;
 import java.util.concurrent.AbstractExecutorService;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.ConcurrentHashMap;
@@ -69,6 +70,8 @@ final class SingleThreadRuntime implements FleetRuntime, AutoCloseable {
   private Predicate<String> isStopped = name -> false;
 
   private final List<Turn> stoppedTurns = new ArrayList<>();
+
+  private final Set<String> serialExecutors = ConcurrentHashMap.newKeySet();
 
   private record Turn(String name, Runnable turn) {}
 
@@ -196,6 +199,10 @@ final class SingleThreadRuntime implements FleetRuntime, AutoCloseable {
     turns.forEach(turn -> addTurn(turn.name(), turn.turn()));
   }
 
+  boolean hasSerialExecutor(Predicate<String> names) {
+    return serialExecutors.stream().anyMatch(names);
+  }
+
   private synchronized void addTurn(String name, Runnable turn) {
     if (isStopped.test(name)) {
       stoppedTurns.add(new Turn(name, turn));
@@ -224,6 +231,7 @@ final class SingleThreadRuntime implements FleetRuntime, AutoCloseable {
 
   @Override
   public ExecutorService serialExecutor(String name) {
+    serialExecutors.add(name);
     return new SerialExecutor(name);
   }
 

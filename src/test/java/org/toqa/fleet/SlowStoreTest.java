@@ -17,7 +17,7 @@ class SlowStoreTest extends HallFleetTest {
             task(view, task).state() == TaskState.RETURNING
                 && Phrase.NOT_STORED_YET.with().equals(task(view, task).waitingFor()));
 
-    stage.stopStoreFor(agent -> false);
+    stage.startStore();
     until(view -> task(view, task).waitingFor() == null);
     until(view -> task(view, task).state() == TaskState.DONE);
   }

@@ -90,7 +90,7 @@ class AcceptedTaskTest {
     afterStored.set(
         () -> {
           stage.passAnswerTime(Duration.ofSeconds(9));
-          stage.stopStoreFor(agent -> agent.equals("manager"));
+          stage.stopStoreFor(agent -> agent.startsWith("tasks-"));
         });
 
     assertThrows(StoreException.class, this::submit);
@@ -117,12 +117,12 @@ class AcceptedTaskTest {
   }
 
   private void loseAnswerAndStore() {
-    stage.stopStoreFor(agent -> agent.equals("manager"));
+    stage.stopStoreFor(agent -> agent.startsWith("tasks-"));
     throw new StoreException("It was stored, but nobody knows.", null);
   }
 
   private void startStore() throws InterruptedException {
-    stage.stopStoreFor(agent -> false);
+    stage.startStore();
     stage.awaitQuiescence();
   }
 

@@ -240,7 +240,7 @@ class SchedulerTest {
                 (method, arguments, call) -> {
                   Object result = call.go();
                   if (method.equals("addTasks") && dies.getAndSet(false)) {
-                    stage.stopStoreFor(agent -> agent.equals("manager"));
+                    stage.stopStoreFor(agent -> agent.startsWith("tasks-"));
                     throw new StoreException("It was stored, but nobody knows.", null);
                   }
                   return result;
@@ -250,7 +250,7 @@ class SchedulerTest {
     look(START.plusSeconds(1));
     look(START.plusSeconds(2)); // while it is there, and is to be withdrawn
     assertEquals(START.plusSeconds(1), schedule(id).due());
-    stage.stopStoreFor(agent -> false);
+    stage.startStore();
     stage.awaitQuiescence();
     look(START.plusSeconds(3));
 
