@@ -50,7 +50,7 @@ class CrossingIT extends BrowserTest {
                 "--robots",
                 String.valueOf(ROBOTS),
                 "--speed",
-                "10",
+                "20",
                 "--port",
                 "0",
                 "--bodies",

@@ -187,12 +187,14 @@ final class AttackedServer implements AutoCloseable {
     try (Statement statement = database.createStatement()) {
       for (String query : STORED) {
         try (ResultSet found = statement.executeQuery(query + " order by 1")) {
+          String table = query.substring(query.indexOf(" from ") + " from ".length());
+          int columns = found.getMetaData().getColumnCount();
           while (found.next()) {
-            List<@Nullable Object> row = new ArrayList<>();
-            for (int i = 1; i <= found.getMetaData().getColumnCount(); i++) {
-              row.add(found.getObject(i));
+            StringBuilder row = new StringBuilder(table);
+            for (int i = 1; i <= columns; i++) {
+              row.append(' ').append(found.getString(i));
             }
-            rows.add(query.replaceFirst(".* from ", "") + " " + row);
+            rows.add(row.toString());
           }
         }
       }

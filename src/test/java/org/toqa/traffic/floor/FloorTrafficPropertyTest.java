@@ -32,7 +32,7 @@ class FloorTrafficPropertyTest {
    * Random floors with one-cell aisles, dead ends and crossings: every robot reaches three goals in
    * turn; {@link DrivenFloor} sees to it that none ever touch.
    */
-  @Property(tries = 50, seed = "20261121")
+  @Property(tries = 25, seed = "20261121")
   void onRandomFloorsEveryRobotArrives(@ForAll @LongRange(min = 0) long seed) {
     floors.count(driveToThreeGoals(seed));
   }
@@ -106,7 +106,7 @@ class FloorTrafficPropertyTest {
   }
 
   /** Robots that were stopped anywhere go on from there: off the middle, in any heading. */
-  @Property(tries = 30, seed = "20261121")
+  @Property(tries = 15, seed = "20261121")
   void fromWhereverItStandsARobotArrives(@ForAll @LongRange(min = 0) long seed) {
     floors.count(driveFromAnywhere(seed));
   }
@@ -213,7 +213,7 @@ class FloorTrafficPropertyTest {
   }
 
   /** Goals change while all drive; robots stop for a while and go on, and some are lost. */
-  @Property(tries = 20, seed = "20261121")
+  @Property(tries = 10, seed = "20261121")
   void newGoalsStopsAndLossesDisturbNothing(@ForAll @LongRange(min = 0) long seed) {
     floors.count(driveThroughTroubles(seed));
   }
