@@ -39,6 +39,7 @@ public final class DiscSpace {
   private final double horizon;
   private final NearbySquares nearby;
   private final List<Passage> passages;
+  private final Lattice lattice;
 
   private DiscSpace(OccupancyGrid grid, double radius) {
     this.grid = grid;
@@ -46,6 +47,7 @@ public final class DiscSpace {
     this.horizon = Math.min(Math.max(HORIZON * radius, 2), radius + MOST_BEYOND);
     this.nearby = new NearbySquares(grid, horizon);
     this.passages = Passages.of(this);
+    this.lattice = new Lattice(this);
   }
 
   /**
@@ -151,6 +153,11 @@ public final class DiscSpace {
   /** The passages that are hardly wider than the disc. */
   List<Passage> passages() {
     return passages;
+  }
+
+  /** Where first paths are searched. */
+  Lattice lattice() {
+    return lattice;
   }
 
   /** Whether a cell is occupied or outside the grid; row 0 is the lowest. */

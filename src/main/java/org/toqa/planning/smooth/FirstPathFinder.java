@@ -35,14 +35,16 @@ final class FirstPathFinder {
 
   /** Searches the next lattice; null where it has no path. */
   @Nullable WayPoints search() {
+    if (!isAsked) {
+      isAsked = true;
+      WayPoints path = space.lattice().path(ends, budget::isTimeOver);
+      isParted = path == null && new Connectivity(space, ends).isParted();
+      return path;
+    }
     LatticeSearch lattice = new LatticeSearch(space, ends, spacing, budget::isTimeOver);
     WayPoints path = lattice.search();
     if (path == null && !lattice.wasStopped()) {
       spacing /= 2;
-      if (!isAsked) {
-        isAsked = true;
-        isParted = new Connectivity(space, ends).isParted();
-      }
     }
     return path;
   }

@@ -12,11 +12,8 @@ import org.toqa.planning.smooth.SmoothResult.Reason;
 
 /** One run of the planner, from the first sample to the answer. */
 final class PlanningRun {
-  /** Iterations before a first path is searched otherwise; each further time so many times more. */
+  /** Iterations before a lattice is searched again; each further time so many times more. */
   private static final int CHANCE = 500;
-
-  /** The same where the disc fits into a cell: there such a search is short, and sure to find. */
-  private static final int CHANCE_IN_CELLS = 200;
 
   private static final int PATIENCE = 4;
 
@@ -78,7 +75,6 @@ final class PlanningRun {
     this.shortener = new PathShortener(space, budget::isTimeOver);
     this.tree = new RandomTree(space, ends, random);
     this.firstPathFinder = new FirstPathFinder(space, ends, budget);
-    this.nextSearch = space.radiusInCells() <= 0.5 ? CHANCE_IN_CELLS : CHANCE;
   }
 
   SmoothResult plan() {
@@ -94,15 +90,12 @@ final class PlanningRun {
   }
 
   private void growAlone() {
-    while (!isSpent()) {
+    nextSearch = CHANCE;
+    while (!isSpent() && !firstPathFinder.isParted()) {
+      findFirstPath();
       growBurst();
       if (tree.hasPath()) {
         keep(tree.path());
-      } else {
-        findFirstPath();
-        if (firstPathFinder.isParted()) {
-          return;
-        }
       }
     }
   }
@@ -130,16 +123,12 @@ final class PlanningRun {
   }
 
   private void growAndSwarm() {
-    while (!isSpent()) {
+    while (!isSpent() && !firstPathFinder.isParted()) {
+      findFirstPath();
       growBurst();
       if (tree.hasPath()) {
         improve(tree.path());
         lookAtOthers();
-      } else {
-        findFirstPath();
-        if (firstPathFinder.isParted()) {
-          return;
-        }
       }
       moveSwarm();
     }
@@ -165,10 +154,10 @@ final class PlanningRun {
   }
 
   private void findFirstPath() {
-    if (iterations < nextSearch || !firstPathFinder.canGoOn()) {
+    if (tree.hasPath() || iterations < nextSearch || !firstPathFinder.canGoOn()) {
       return;
     }
-    nextSearch = PATIENCE * iterations;
+    nextSearch = Math.max(CHANCE, PATIENCE * iterations);
     WayPoints path = firstPathFinder.search();
     if (path != null) {
       if (method == SmoothMethod.HYBRID) {
