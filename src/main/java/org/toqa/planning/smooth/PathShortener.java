@@ -25,7 +25,7 @@ final class PathShortener {
   private final BooleanSupplier isOver;
 
   /**
-   * @param isOver whether to leave it as it is
+   * @param isOver whether to leave a path as it is by now; it is free at any time
    */
   PathShortener(DiscSpace space, BooleanSupplier isOver) {
     this.space = space;
@@ -54,7 +54,7 @@ final class PathShortener {
 
   /** From each way point the line goes to the last one that is seen from it. */
   private void leaveOut(WayPoints path) {
-    for (int i = 0; i + 2 < path.size(); i++) {
+    for (int i = 0; i + 2 < path.size() && !isOver.getAsBoolean(); i++) {
       int seen = i + 1;
       int step = 1;
       while (seen + step < path.size() && isFree(path, i, seen + step)) {
@@ -75,7 +75,7 @@ final class PathShortener {
   }
 
   private void slideAll(WayPoints path) {
-    for (int i = 1; i + 1 < path.size(); i++) {
+    for (int i = 1; i + 1 < path.size() && !isOver.getAsBoolean(); i++) {
       if (isFree(path, i - 1, i + 1)) {
         path.remove(i, i + 1);
         i = Math.max(0, i - 2);
@@ -107,7 +107,7 @@ final class PathShortener {
   }
 
   private void cutCorners(WayPoints path) {
-    for (int i = 1; i + 1 < path.size(); i++) {
+    for (int i = 1; i + 1 < path.size() && !isOver.getAsBoolean(); i++) {
       double before = path.leg(i);
       double after = path.leg(i + 1);
       if (Math.min(before, after) > SHORTEST_LEG && bend(path, i, before, after) > SMALLEST_CUT) {

@@ -8,12 +8,16 @@ import org.toqa.geometry.Vec2;
 import org.toqa.planning.smooth.DiscSpace;
 
 /**
- * Makes a curve of a free path of straight lines: a spline whose control points lie on the path at
- * equal distances. Near walls they are moved a little away from them, as a spline runs on the inner
- * side of its control points. Where the curve would touch a wall, it is made again with more points
- * that are moved less: the closer they are, the closer is the curve to the path, which is free.
- * Where even the closest touches, as in a bend that just fits, each half of the path becomes a
- * curve of its own, and so on down to a single line; between two, the robot turns on the spot.
+ * Makes a curve of a free path of straight lines: a spline whose control points lie on the path,
+ * close to each other at bends and far apart on long straight lines. Near walls they are moved a
+ * little away from them, as a spline runs on the inner side of its control points.
+ *
+ * <p>The path is cut on its long lines into sections, which are fitted one by one: on these lines
+ * the spline is straight whatever comes before and after. Where a section's curve would touch a
+ * wall, it is made again with more points that are moved less: the closer they are, the closer is
+ * the curve to the path, which is free. Where even the closest touches, as in a bend that just
+ * fits, each half of the section becomes a curve of its own, and so on down to a single line;
+ * between two, the robot turns on the spot.
  */
 public final class SplineFitter {
   /** Control points in a radius of the disc, and by which share of it they keep off walls. */
@@ -21,7 +25,19 @@ public final class SplineFitter {
     {4, 0.006}, {6, 0.004}, {8, 0.002}, {16, 0.0006}, {32, 0.0002}, {32, 0}, {64, 0}
   };
 
-  /** No spline has more control points. */
+  /** Radii of the disc: so much of a long line belongs to the sections on both sides of it. */
+  private static final double STRAIGHT_OF_SECTION = 1;
+
+  /** Radii of the disc: lines that are longer than this are cut. */
+  private static final double LONG_LINE = 2.5;
+
+  /** Radii of the disc between control points on long lines. */
+  private static final double FARTHEST = 2;
+
+  /** Control points at each end of a section that stay on the path. */
+  private static final int STAY = 3;
+
+  /** No section has more control points. */
   private static final int MOST_POINTS = 200_000;
 
   /** A heading that is farther from the path's direction needs a turn on the spot, radians. */
@@ -54,7 +70,7 @@ public final class SplineFitter {
     List<Vec2> points = withoutRepeats(path);
     List<CubicSpline> pieces = new ArrayList<>();
     if (points.size() > 1) {
-      addPieces(pieces, points);
+      pieces.addAll(pieces(points));
       if (start != null) {
         pieces.set(0, withHeading(pieces.getFirst(), start));
       }
@@ -76,40 +92,96 @@ public final class SplineFitter {
     return points;
   }
 
-  /** One spline for the whole path; where there is none, one for each half of it, and so on. */
-  private void addPieces(List<CubicSpline> pieces, List<Vec2> path) {
-    CubicSpline whole = path.size() == 2 ? straight(path) : freeSpline(path);
+  /** Splines along a path that follow each other; one, if no section needs more. */
+  private List<CubicSpline> pieces(List<Vec2> path) {
+    List<CubicSpline> pieces = new ArrayList<>();
+    List<Vec2> controls = new ArrayList<>();
+    for (List<Vec2> section : sections(path)) {
+      List<List<Vec2>> fitted = new ArrayList<>();
+      addControls(fitted, section);
+      if (!controls.isEmpty()) {
+        addStraight(controls, fitted.getFirst());
+      }
+      controls.addAll(fitted.getFirst());
+      for (List<Vec2> next : fitted.subList(1, fitted.size())) {
+        pieces.add(CubicSpline.through(controls));
+        controls = new ArrayList<>(next);
+      }
+    }
+    pieces.add(CubicSpline.through(controls));
+    return pieces;
+  }
+
+  /** The path without the middles of its long lines. */
+  private List<List<Vec2>> sections(List<Vec2> path) {
+    List<List<Vec2>> sections = new ArrayList<>();
+    List<Vec2> section = new ArrayList<>(path.subList(0, 1));
+    for (int i = 1; i < path.size(); i++) {
+      Vec2 from = path.get(i - 1);
+      Vec2 to = path.get(i);
+      double length = from.distanceTo(to);
+      if (length > LONG_LINE * space.radius()) {
+        Vec2 ends = to.minus(from).times(STRAIGHT_OF_SECTION * space.radius() / length);
+        section.add(from.plus(ends));
+        sections.add(section);
+        section = new ArrayList<>(List.of(to.minus(ends)));
+      }
+      section.add(to);
+    }
+    sections.add(section);
+    return sections;
+  }
+
+  /** Control points from the end of a section to the next one, first ever farther apart. */
+  private void addStraight(List<Vec2> controls, List<Vec2> next) {
+    Vec2 from = controls.getLast();
+    Vec2 to = next.getFirst();
+    double length = from.distanceTo(to);
+    double most = FARTHEST * space.radius();
+    double step = from.distanceTo(controls.get(controls.size() - 2));
+    double lastStep = to.distanceTo(next.get(1));
+    step = Math.min(most, 2 * step);
+    double at = step;
+    while (at < length - lastStep) {
+      controls.add(from.plus(to.minus(from).times(at / length)));
+      step = Math.min(most, Math.min(2 * step, Math.max(lastStep, (length - at) / 2)));
+      at += step;
+    }
+  }
+
+  /** One spline's control points for all of a section, or those for each half, and so on. */
+  private void addControls(List<List<Vec2>> pieces, List<Vec2> section) {
+    List<Vec2> whole = section.size() == 2 ? straight(section) : freeControls(section);
     if (whole != null) {
       pieces.add(whole);
       return;
     }
-    int middle = path.size() / 2;
-    addPieces(pieces, path.subList(0, middle + 1));
-    addPieces(pieces, path.subList(middle, path.size()));
+    int middle = section.size() / 2;
+    addControls(pieces, section.subList(0, middle + 1));
+    addControls(pieces, section.subList(middle, section.size()));
   }
 
-  private @Nullable CubicSpline freeSpline(List<Vec2> path) {
-    double length = Vec2.lengthOf(path);
+  private @Nullable List<Vec2> freeControls(List<Vec2> section) {
+    double length = Vec2.lengthOf(section);
     for (double[] attempt : TRIES) {
       double points = Math.ceil(length / space.radius() * attempt[0]);
       if (points > MOST_POINTS) {
         return null;
       }
-      List<Vec2> controls = resampled(path, length, (int) Math.max(4, points));
+      List<Vec2> controls = resampled(section, length, (int) Math.max(4, points));
       keepOffWalls(controls, attempt[1] * space.radius());
-      CubicSpline spline = CubicSpline.through(controls);
-      if (checker.isFree(spline)) {
-        return spline;
+      if (checker.isFree(CubicSpline.through(controls))) {
+        return controls;
       }
     }
     return null;
   }
 
   /** With a few control points more, so that it can turn into a heading at an end. */
-  private CubicSpline straight(List<Vec2> line) {
+  private List<Vec2> straight(List<Vec2> line) {
     double length = Vec2.lengthOf(line);
     double points = Math.ceil(length / space.radius() * TRIES[0][0]);
-    return CubicSpline.through(resampled(line, length, (int) Math.clamp(points, 4, MOST_POINTS)));
+    return resampled(line, length, (int) Math.max(4, points));
   }
 
   /** Points on the path at equal distances along it. */
@@ -136,7 +208,7 @@ public final class SplineFitter {
 
   private void keepOffWalls(List<Vec2> controls, double margin) {
     if (margin > 0) {
-      for (int i = 2; i < controls.size() - 2; i++) {
+      for (int i = STAY; i < controls.size() - STAY; i++) {
         controls.set(i, space.awayFromWalls(controls.get(i), margin));
       }
     }
