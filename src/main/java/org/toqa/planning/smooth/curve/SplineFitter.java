@@ -26,10 +26,10 @@ public final class SplineFitter {
   };
 
   /** Radii of the disc: so much of a long line belongs to the sections on both sides of it. */
-  private static final double STRAIGHT_OF_SECTION = 1;
+  private static final double STRAIGHT_OF_SECTION = 0.6;
 
   /** Radii of the disc: lines that are longer than this are cut. */
-  private static final double LONG_LINE = 2.5;
+  private static final double LONG_LINE = 1.4;
 
   /** Radii of the disc between control points on long lines. */
   private static final double FARTHEST = 2;
