@@ -3,8 +3,8 @@ package org.toqa.planning.smooth;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Finds some path where chance has found none: searches lattices, from a coarse one to ever finer
- * ones, and asks once whether there can be a path at all.
+ * Finds some path: by jump points on the space's lattice; where that has none, asks once whether
+ * there can be a path at all, and searches lattices from a coarse one to ever finer ones.
  */
 final class FirstPathFinder {
   private static final double FINEST = 1.0 / 64;

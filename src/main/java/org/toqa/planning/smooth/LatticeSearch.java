@@ -5,9 +5,9 @@ import java.util.function.BooleanSupplier;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A first path where chance finds none soon, as in aisles that just fit: A* (Hart, Nilsson and
- * Raphael, 1968) over the points of a lattice, with lines to the eight around. It is no shortest
- * path; the tree and the swarm shorten it.
+ * A first path where neither {@link Lattice} nor chance finds one, as between turned walls that
+ * just let the disc through: A* (Hart, Nilsson and Raphael, 1968) over the points of a lattice,
+ * with lines to the eight around. It is no shortest path; the tree and the swarm shorten it.
  *
  * <p>Passages between squares of a grid are narrowest where both coordinates are multiples of half
  * a cell, so a lattice of half cells goes through what a disc fits through exactly; where the disc

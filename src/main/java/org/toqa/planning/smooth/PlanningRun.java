@@ -141,7 +141,7 @@ final class PlanningRun {
 
   private void growBurst() {
     for (int i = 0; i < BURST; i++) {
-      if ((i & 15) == 0 && isSpent()) {
+      if (isSpent()) {
         return;
       }
       iterations++;
@@ -159,13 +159,11 @@ final class PlanningRun {
     }
     nextSearch = Math.max(CHANCE, PATIENCE * iterations);
     WayPoints path = firstPathFinder.search();
-    if (path != null) {
-      if (method == SmoothMethod.HYBRID) {
-        improve(path);
-      } else {
-        keep(path);
-      }
-      tree.insert(path);
+    if (path != null && method == SmoothMethod.HYBRID) {
+      improve(path);
+    } else if (path != null) {
+      keep(path);
+      tree.insert(path, budget::isTimeOver);
     }
   }
 
@@ -239,7 +237,7 @@ final class PlanningRun {
       bestCornersLength = length;
       swarm = null;
       tree.setBest(bestLength);
-      tree.insert(corners);
+      tree.insert(corners, budget::isTimeOver);
     }
   }
 

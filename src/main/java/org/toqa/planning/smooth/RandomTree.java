@@ -3,6 +3,7 @@ package org.toqa.planning.smooth;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.function.BooleanSupplier;
 import java.util.random.RandomGenerator;
 import org.toqa.planning.smooth.Passages.Passage;
 
@@ -346,11 +347,16 @@ final class RandomTree {
     return WayPoints.distance(points.x(point), points.y(point), x, y);
   }
 
-  /** Takes a free path from start to goal over: its points, but the ends, become the tree's. */
-  void insert(WayPoints path) {
+  /**
+   * Takes a free path from start to goal over: its points, but the ends, become the tree's.
+   *
+   * @param isOver whether there is no time to lead others through them
+   */
+  void insert(WayPoints path, BooleanSupplier isOver) {
     int from = START;
     for (int i = 1; i + 1 < path.size(); i++) {
-      int neighbours = points.findWithin(path.x(i), path.y(i), reach());
+      int neighbours =
+          isOver.getAsBoolean() ? 0 : points.findWithin(path.x(i), path.y(i), reach());
       from = add(path.x(i), path.y(i), from);
       rewire(from, neighbours);
     }

@@ -11,8 +11,8 @@ import org.toqa.planning.smooth.SmoothResult.Reason;
  * when its budget is spent, and the longer it may take the shorter the path; never longer. With a
  * budget of iterations it is a function of its arguments, the seed among them.
  *
- * <p>Where there is a path it is found, given time: what chance does not find within some hundred
- * iterations is searched on lattices that become finer ({@link FirstPathFinder}). That there is
+ * <p>Where there is a path it is found, given time: a first one is searched on lattices, of which
+ * the first takes little time and the others become finer ({@link FirstPathFinder}). That there is
  * none is known exactly ({@link Connectivity}), not by giving up. It keeps nothing, and any thread
  * may call it.
  */

@@ -5,10 +5,10 @@
  * <ol>
  *   <li>{@link DiscSpace} is made of an occupancy grid and a radius: where the disc's centre may
  *       be, by exact distances.
- *   <li>{@link SmoothPlanner} asks whether start and goal are free, and then grows a tree ({@code
- *       RandomTree}, with points of {@code InformedSampler} in a {@code PointTree}). Where chance
- *       finds no path soon, {@code LatticeSearch} gives the tree a first one, and {@code
- *       Connectivity} tells whether there can be one.
+ *   <li>{@link SmoothPlanner} asks whether start and goal are free. A {@code Lattice} gives a first
+ *       path, or {@code Connectivity} tells that there can be none; where a lattice of half cells
+ *       is too coarse, {@code LatticeSearch} has finer ones. From then on a tree grows ({@code
+ *       RandomTree}, with points of {@code InformedSampler} in a {@code PointTree}).
  *   <li>Paths of the tree are pulled taut ({@code PathShortener}), and the way points of the best
  *       one are moved by a {@code ParticleSwarm}. Its length bounds where the tree samples next.
  *   <li>The answer, a {@link WayPath} or a reason, goes to {@code planning.smooth.curve}, which

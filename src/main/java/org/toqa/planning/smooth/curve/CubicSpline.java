@@ -97,8 +97,30 @@ public record CubicSpline(List<Vec2> controls) implements PlaneCurve {
         a * p.y() + b * q.y() + c * r.y() + d * s.y());
   }
 
-  /** A bound of the second derivative's size on a span: it is linear, so that at an end. */
-  double mostAcceleration(int span) {
-    return Math.max(acceleration(span).norm(), sum(span, 0, 1, -2, 1).norm());
+  /**
+   * A bound of the second derivative's size across a chord, between two parameters of a span: it is
+   * linear, so that at an end. Where the span may go back along the chord, that of its whole size.
+   */
+  double mostAcross(int span, double begin, double end, Vec2 chord) {
+    if (!isForward(span, chord)) {
+      return Math.max(acceleration(span).norm(), sum(span, 0, 1, -2, 1).norm());
+    }
+    return Math.max(across(acceleration(begin), chord), across(acceleration(end), chord));
+  }
+
+  /** The velocity is a mean of the steps between control points. */
+  private boolean isForward(int span, Vec2 chord) {
+    for (int i = span; i < span + 3; i++) {
+      Vec2 step = controls.get(i + 1).minus(controls.get(i));
+      if (!(step.x() * chord.x() + step.y() * chord.y() > 0)) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  private static double across(Vec2 acceleration, Vec2 chord) {
+    double cross = acceleration.x() * chord.y() - acceleration.y() * chord.x();
+    return Math.abs(cross) / chord.norm();
   }
 }

@@ -6,8 +6,8 @@ import org.toqa.planning.smooth.DiscSpace;
 
 /**
  * Whether a disc may go along a curve. A piece of it is nowhere farther from its chord than h^2 / 8
- * times the largest second derivative, h being its span of the parameter. So a piece is free if its
- * chord is free for a disc that is larger by that, and is halved if not, down to pieces that are
+ * times the largest second derivative across it, h being its span of the parameter. So a piece is
+ * free if its chord is free for a disc that is larger by that, and is halved if not, down to pieces that are
  * straight but for a tenth of a nanometre. Nothing is sampled.
  */
 final class CurveChecker {
@@ -20,17 +20,21 @@ final class CurveChecker {
     this.space = space;
   }
 
-  /** Bounds the size of a curve's second derivative on a span of its parameter. */
+  /**
+   * Bounds how large a curve's second derivative across a chord is on its span of the parameter;
+   * where the curve does not go forward along the chord all the time, the whole derivative.
+   */
   interface Bound {
-    double of(double from, double to);
+    double of(double begin, double end, Vec2 chord);
   }
 
   boolean isFree(CubicSpline spline) {
     for (int span = 0; span < spline.spans(); span++) {
-      double most = spline.mostAcceleration(span);
+      int index = span;
+      Bound bound = (begin, end, chord) -> spline.mostAcross(index, begin, end, chord);
       Vec2 from = spline.position(span);
       Vec2 to = spline.position(span + 1.0);
-      if (!isFree(spline, span, span + 1.0, from, to, (begin, end) -> most)) {
+      if (!isFree(spline, span, span + 1.0, from, to, bound)) {
         return false;
       }
     }
@@ -44,7 +48,7 @@ final class CurveChecker {
   private boolean isFree(
       PlaneCurve curve, double begin, double end, Vec2 from, Vec2 to, Bound bound) {
     double span = end - begin;
-    double deviation = span * span / 8 * bound.of(begin, end);
+    double deviation = span * span / 8 * bound.of(begin, end, to.minus(from));
     if (deviation <= STRAIGHT) {
       return space.isFree(from, to);
     }

@@ -36,7 +36,7 @@ public final class PolynomialFitter {
     }
     for (int degree = LOWEST; degree <= HIGHEST; degree++) {
       PolynomialCurve curve = fit(path, degree - 1);
-      if (checker.isFree(curve, curve::mostAcceleration)) {
+      if (checker.isFree(curve, (begin, end, chord) -> curve.mostAcceleration(begin, end))) {
         return Optional.of(curve);
       }
     }

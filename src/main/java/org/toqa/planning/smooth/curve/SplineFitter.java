@@ -22,7 +22,7 @@ import org.toqa.planning.smooth.DiscSpace;
 public final class SplineFitter {
   /** Control points in a radius of the disc, and by which share of it they keep off walls. */
   private static final double[][] TRIES = {
-    {4, 0.006}, {6, 0.004}, {8, 0.002}, {16, 0.0006}, {32, 0.0002}, {32, 0}, {64, 0}
+    {4, 0.006}, {6, 0.004}, {8, 0.002}, {8, 0}, {16, 0}, {32, 0}, {64, 0}
   };
 
   /** Radii of the disc: so much of a long line belongs to the sections on both sides of it. */
@@ -164,11 +164,11 @@ public final class SplineFitter {
   private @Nullable List<Vec2> freeControls(List<Vec2> section) {
     double length = Vec2.lengthOf(section);
     for (double[] attempt : TRIES) {
-      double points = Math.ceil(length / space.radius() * attempt[0]);
-      if (points > MOST_POINTS) {
+      double apart = space.radius() / attempt[0];
+      if (length / apart > MOST_POINTS) {
         return null;
       }
-      List<Vec2> controls = resampled(section, length, (int) Math.max(4, points));
+      List<Vec2> controls = along(section, Math.min(apart, length / 4));
       keepOffWalls(controls, attempt[1] * space.radius());
       if (checker.isFree(CubicSpline.through(controls))) {
         return controls;
@@ -179,31 +179,49 @@ public final class SplineFitter {
 
   /** With a few control points more, so that it can turn into a heading at an end. */
   private List<Vec2> straight(List<Vec2> line) {
-    double length = Vec2.lengthOf(line);
-    double points = Math.ceil(length / space.radius() * TRIES[0][0]);
-    return resampled(line, length, (int) Math.max(4, points));
+    return along(line, Math.min(space.radius() / TRIES[0][0], Vec2.lengthOf(line) / 4));
   }
 
-  /** Points on the path at equal distances along it. */
-  private static List<Vec2> resampled(List<Vec2> path, double length, int steps) {
-    List<Vec2> points = new ArrayList<>(steps + 3);
+  /**
+   * Points along a path: its bends, but those too close to the one before, and points between.
+   *
+   * @param apart metres that neighbours are apart at most, and half of which bends are at least
+   */
+  private static List<Vec2> along(List<Vec2> path, double apart) {
+    List<Vec2> points = new ArrayList<>();
     points.add(path.getFirst());
-    double passed = 0;
-    int leg = 1;
-    double legLength = path.get(0).distanceTo(path.get(1));
-    for (int i = 1; i < steps; i++) {
-      double at = length * i / steps;
-      while (leg + 1 < path.size() && passed + legLength < at) {
-        passed += legLength;
-        leg++;
-        legLength = path.get(leg - 1).distanceTo(path.get(leg));
-      }
-      double share = legLength == 0 ? 0 : Math.clamp((at - passed) / legLength, 0, 1);
-      Vec2 from = path.get(leg - 1);
-      points.add(from.plus(path.get(leg).minus(from).times(share)));
+    double[] passed = new double[path.size()];
+    for (int i = 1; i < passed.length; i++) {
+      passed[i] = passed[i - 1] + path.get(i - 1).distanceTo(path.get(i));
     }
-    points.add(path.getLast());
+    int last = passed.length - 1;
+    int from = 0;
+    for (int to = 1; to <= last; to++) {
+      boolean isKept =
+          passed[to] - passed[from] >= apart / 2 && passed[last] - passed[to] >= apart / 2;
+      if (isKept || to == last) {
+        addBetween(points, path, passed, from, to, apart);
+        from = to;
+      }
+    }
     return points;
+  }
+
+  /** Adds points at equal distances from one bend to another, and the latter. */
+  private static void addBetween(
+      List<Vec2> points, List<Vec2> path, double[] passed, int from, int to, double apart) {
+    double length = passed[to] - passed[from];
+    int steps = (int) Math.max(1, Math.ceil(length / apart - 1e-6));
+    int leg = from + 1;
+    for (int i = 1; i < steps; i++) {
+      double at = passed[from] + length * i / steps;
+      while (passed[leg] < at) {
+        leg++;
+      }
+      double share = (at - passed[leg - 1]) / (passed[leg] - passed[leg - 1]);
+      points.add(path.get(leg - 1).plus(path.get(leg).minus(path.get(leg - 1)).times(share)));
+    }
+    points.add(path.get(to));
   }
 
   private void keepOffWalls(List<Vec2> controls, double margin) {
