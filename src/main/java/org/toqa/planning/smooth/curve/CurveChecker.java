@@ -7,8 +7,8 @@ import org.toqa.planning.smooth.DiscSpace;
 /**
  * Whether a disc may go along a curve. A piece of it is nowhere farther from its chord than h^2 / 8
  * times the largest second derivative across it, h being its span of the parameter. So a piece is
- * free if its chord is free for a disc that is larger by that, and is halved if not, down to pieces that are
- * straight but for a tenth of a nanometre. Nothing is sampled.
+ * free if its chord is free for a disc that is larger by that, and is halved if not, down to pieces
+ * that are straight but for a tenth of a nanometre. Nothing is sampled.
  */
 final class CurveChecker {
   /** Metres: pieces that are as straight as this are taken for their chords. */
