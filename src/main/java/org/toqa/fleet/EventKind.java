@@ -44,6 +44,7 @@ public enum EventKind {
   ROBOT_LOCATED("robot.located"),
   ROBOT_OUT_OF_SERVICE("robot.out-of-service"),
   ROBOT_MOVED("robot.moved"),
+  ROBOT_MQTT_PASSWORD("robot.mqtt-password"),
   ROBOT_PAIRED("robot.paired"),
   ROBOT_PAIRING_REFUSED("robot.pairing-refused"),
   ROBOT_REMOVED("robot.removed"),

@@ -61,4 +61,10 @@ public record FleetSnapshot(
         allocators,
         otherAlerts);
   }
+
+  /** The same with other views of its robots. */
+  public FleetSnapshot withRobots(List<RobotView> others) {
+    return new FleetSnapshot(
+        version, at, others, tasks, queuedCount, floors, pause, negotiations, allocators, alerts);
+  }
 }

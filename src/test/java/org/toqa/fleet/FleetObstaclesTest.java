@@ -1,14 +1,17 @@
 package org.toqa.fleet;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.time.Instant;
 import java.util.List;
+import java.util.Objects;
 import org.junit.jupiter.api.Test;
 import org.toqa.fleet.TaskOrder.Where;
 import org.toqa.fleet.floor.ObstacleMap;
+import org.toqa.geometry.Pose;
 import org.toqa.geometry.Vec2;
 import org.toqa.grid.Cell;
 import org.toqa.grid.CellRuns;
@@ -34,6 +37,25 @@ class FleetObstaclesTest extends HallFleetTest {
     untilHistory(
         "floor.obstacle",
         "r1 detects something at (6.50, 1.50) that is not on the map; robots drive around it");
+  }
+
+  @Test
+  void rangesThatComeBesideTheLinkAreSeenFromWhereTheRobotIs() throws Exception {
+    until(view -> robot(view, "r1").state() == RobotState.IDLE);
+    Pose pose =
+        Objects.requireNonNull(robot(stage.fleet.snapshots().latest(), "r1").telemetry().pose());
+    RobotCapabilities able = robot(stage.fleet.snapshots().latest(), "r1").capabilities();
+    Vec2 ahead = pose.compose(new Pose(able.footprint() / 2 + 0.5, 0, 0)).position(); // rim + 0.5 m
+
+    until(
+        view -> {
+          stage.fleet.tellRanges("r1", List.of(0.5, able.sensorRange()), List.of(0.0, Math.PI / 2));
+          return obstacles(view).cells().get(GRID.index(GRID.cellAt(ahead)));
+        });
+    Vec2 aside = pose.compose(new Pose(0, able.footprint() / 2 + able.sensorRange(), 0)).position();
+    assertFalse(
+        obstacles(stage.fleet.snapshots().latest()).cells().get(GRID.index(GRID.cellAt(aside))),
+        "a sensor that sees nothing tells its largest range");
   }
 
   @Test

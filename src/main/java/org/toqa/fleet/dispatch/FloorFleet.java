@@ -35,6 +35,7 @@ import org.toqa.fleet.TaskPreview;
 import org.toqa.fleet.TaskView;
 import org.toqa.fleet.robot.AgentHealth;
 import org.toqa.fleet.robot.RobotAgents;
+import org.toqa.fleet.robot.RobotMessage;
 import org.toqa.geometry.Pose;
 import org.toqa.grid.FloorMap;
 import org.toqa.mission.MissionEvent;
@@ -153,6 +154,11 @@ public final class FloorFleet implements AutoCloseable {
   /** By that time the floor has done what was due, but for its last tick. */
   public Instant floorTime() {
     return health.floorTime();
+  }
+
+  /** A robot's sensors beside its link see this; nothing where the robot is on another floor. */
+  public void tellRanges(String robot, List<Double> ranges, List<Double> angles) {
+    robotAgents.tell(robot, new RobotMessage.RangesHeard(ranges, angles));
   }
 
   /** All floors are paused, or go on where it is null. */

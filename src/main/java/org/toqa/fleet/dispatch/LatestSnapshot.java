@@ -3,10 +3,12 @@ package org.toqa.fleet.dispatch;
 import java.time.Duration;
 import java.util.LinkedHashSet;
 import java.util.List;
+import java.util.Map;
 import java.util.Set;
 import java.util.concurrent.locks.Condition;
 import java.util.concurrent.locks.ReentrantLock;
 import org.toqa.fleet.FleetSnapshot;
+import org.toqa.fleet.RobotView;
 import org.toqa.fleet.SnapshotFeed;
 import org.toqa.wording.Sentence;
 
@@ -21,6 +23,9 @@ public final class LatestSnapshot implements SnapshotFeed {
 
   /** What others found, before the agents' own alerts; guarded by the lock. */
   private List<Sentence> found = List.of();
+
+  /** The same of robots, by name, where the agents have none; guarded by the lock. */
+  private Map<String, Sentence> foundOfRobots = Map.of();
 
   private final Runnable onRenewed;
 
@@ -45,14 +50,19 @@ public final class LatestSnapshot implements SnapshotFeed {
     onRenewed.run();
   }
 
-  /** Puts these alerts on the newest snapshot and on all that follow, instead of those before. */
-  public void setAlerts(List<Sentence> alerts) {
+  /**
+   * Puts these alerts on the newest snapshot and on all that follow, instead of those before.
+   *
+   * @param ofRobots by name; the agents' own come before them
+   */
+  public void setAlerts(List<Sentence> alerts, Map<String, Sentence> ofRobots) {
     lock.lock();
     try {
-      if (found.equals(alerts)) {
+      if (found.equals(alerts) && foundOfRobots.equals(ofRobots)) {
         return;
       }
       found = List.copyOf(alerts);
+      foundOfRobots = Map.copyOf(ofRobots);
       renew();
     } finally {
       lock.unlock();
@@ -63,8 +73,17 @@ public final class LatestSnapshot implements SnapshotFeed {
   private void renew() {
     Set<Sentence> alerts = new LinkedHashSet<>(found);
     alerts.addAll(published.alerts());
-    latest = published.with(latest.version() + 1, List.copyOf(alerts));
+    FleetSnapshot next = published.with(latest.version() + 1, List.copyOf(alerts));
+    latest = foundOfRobots.isEmpty() ? next : next.withRobots(withAlerts(next.robots()));
     renewed.signalAll();
+  }
+
+  private List<RobotView> withAlerts(List<RobotView> robots) {
+    return robots.stream()
+        .map(
+            robot ->
+                robot.alert() == null ? robot.withAlert(foundOfRobots.get(robot.name())) : robot)
+        .toList();
   }
 
   @Override

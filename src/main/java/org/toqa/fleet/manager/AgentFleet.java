@@ -4,6 +4,7 @@ import java.time.Instant;
 import java.time.InstantSource;
 import java.util.Comparator;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.UUID;
@@ -521,6 +522,19 @@ public final class AgentFleet implements Fleet, AutoCloseable {
     mapListeners.add(listener);
   }
 
+  /**
+   * A robot's sensors beside its link see this now. It counts as what the robot itself reports: as
+   * far as it is believed, from where the robot says next that it is.
+   *
+   * @param ranges metres from its rim
+   * @param angles radians, counter-clockwise from straight ahead; as many
+   */
+  public void tellRanges(String robot, List<Double> ranges, List<Double> angles) {
+    floors
+        .all()
+        .forEach(floor -> floor.ifRunning(agents -> agents.tellRanges(robot, ranges, angles)));
+  }
+
   /** Completes when the agents have ended though nobody closed them: nothing moves any more. */
   public CompletionStage<Void> whenFailed() {
     return failed;
@@ -538,6 +552,11 @@ public final class AgentFleet implements Fleet, AutoCloseable {
   /** From now on also what this finds is among the alerts of snapshots; the fleet goes on. */
   public void addWarning(Supplier<Optional<Sentence>> check) {
     monitor.addWarning(check);
+  }
+
+  /** From now on what this finds of robots, by name, is an alert of theirs; they go on. */
+  public void addRobotCheck(Supplier<Map<String, Sentence>> check) {
+    monitor.addRobotCheck(check);
   }
 
   /** Ends the agents: links are closed, what was handed to the store is written. */

@@ -2,7 +2,9 @@ package org.toqa.fleet.manager;
 
 import java.time.Duration;
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.function.Supplier;
@@ -25,6 +27,7 @@ final class FleetMonitor implements AutoCloseable {
   private final SiteSnapshots site;
   private final List<Supplier<Optional<Sentence>>> checks = new CopyOnWriteArrayList<>();
   private final List<Supplier<Optional<Sentence>>> warnings = new CopyOnWriteArrayList<>();
+  private final List<Supplier<Map<String, Sentence>>> robotChecks = new CopyOnWriteArrayList<>();
   private final PeriodicWork work;
   private List<Sentence> logged = List.of();
 
@@ -44,6 +47,10 @@ final class FleetMonitor implements AutoCloseable {
 
   void addWarning(Supplier<Optional<Sentence>> check) {
     warnings.add(check);
+  }
+
+  void addRobotCheck(Supplier<Map<String, Sentence>> check) {
+    robotChecks.add(check);
   }
 
   /** Why the fleet cannot go on; empty while it can. */
@@ -70,11 +77,13 @@ final class FleetMonitor implements AutoCloseable {
     logged = failures;
     List<Sentence> everywhere = ofAllFloors();
     warnings.forEach(check -> check.get().ifPresent(everywhere::add));
+    Map<String, Sentence> ofRobots = new HashMap<>();
+    robotChecks.forEach(check -> check.get().forEach(ofRobots::putIfAbsent));
     for (FloorEntry floor : floors.get()) {
       List<Sentence> here = new ArrayList<>(everywhere);
       here.addAll(floor.failures());
       floor.ifRunning(agents -> here.addAll(agents.warnings()));
-      floor.snapshots().setAlerts(here);
+      floor.snapshots().setAlerts(here, ofRobots);
     }
     site.setAlerts(everywhere);
   }

@@ -2,6 +2,7 @@ package org.toqa.fleet.robot;
 
 import java.time.Duration;
 import java.time.Instant;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Set;
 import java.util.function.Supplier;
@@ -10,6 +11,7 @@ import org.apache.pekko.actor.typed.ActorRef;
 import org.jspecify.annotations.Nullable;
 import org.toqa.fleet.RateLimit;
 import org.toqa.fleet.RobotMessageKind;
+import org.toqa.geometry.Pose;
 import org.toqa.geometry.Vec2;
 import org.toqa.link.message.AgentMessage.Fault;
 import org.toqa.link.message.AgentMessage.Hello;
@@ -31,6 +33,9 @@ final class ReportForwarder {
   /** Of those that end soon; see {@code link.channel.Backoff}. */
   private static final int CONNECTIONS_A_MINUTE = 10;
 
+  /** So old is what sensors beside the link see at most. */
+  private static final Duration RANGES_LAST = Duration.ofMillis(500);
+
   private static final Duration SECOND = Duration.ofSeconds(1);
 
   private final String robot;
@@ -45,6 +50,11 @@ final class ReportForwarder {
   private final RateLimit connections;
   private @Nullable Hello hello;
   private @Nullable State held;
+
+  /** What sensors beside the link see, until the next state tells from where. */
+  private RobotMessage.@Nullable RangesHeard ranges;
+
+  private Instant rangesHeardAt = Instant.EPOCH;
 
   /**
    * @param now of the time that ticks bring
@@ -88,6 +98,30 @@ final class ReportForwarder {
     }
   }
 
+  /** What they see counts with the next state, if that comes soon. */
+  void receiveRanges(RobotMessage.RangesHeard heard) {
+    ranges = heard;
+    rangesHeardAt = now.get();
+  }
+
+  /** The state with what sensors beside the link see from there. */
+  private State withRanges(State state, Hello said) {
+    RobotMessage.RangesHeard heard = ranges;
+    ranges = null;
+    if (heard == null || rangesHeardAt.plus(RANGES_LAST).isBefore(now.get())) {
+      return state;
+    }
+    List<Vec2> obstacles = new ArrayList<>(state.obstacles());
+    for (int i = 0; i < heard.ranges().size(); i++) {
+      double range = heard.ranges().get(i);
+      if (range < said.sensorRange()) { // else it sees nothing
+        Vec2 inFrame = new Vec2(said.footprint() / 2 + range, 0).rotated(heard.angles().get(i));
+        obstacles.add(state.pose().compose(new Pose(inFrame.x(), inFrame.y(), 0)).position());
+      }
+    }
+    return state.withObstacles(obstacles);
+  }
+
   /** Hands on what waits; to be called before anything that the robot said after it. */
   void flush() {
     State state = held;
@@ -97,7 +131,8 @@ final class ReportForwarder {
     }
   }
 
-  private State limited(State state, Hello said) {
+  private State limited(State reported, Hello said) {
+    State state = withRanges(reported, said);
     List<Vec2> believed = percepts.believable(state, said, now.get());
     int unbelieved = state.obstacles().size() - believed.size();
     if (unbelieved == 0) {

@@ -136,6 +136,7 @@ public final class RobotAgent extends AbstractBehavior<RobotMessage> {
           commands.send(m.hold() ? ServerMessage.Hold::new : ServerMessage.Resume::new);
       case RobotMessage.Clear m -> clear(m);
       case RobotMessage.Locate m -> commands.send(n -> new ServerMessage.Locate(n, m.pose()));
+      case RobotMessage.RangesHeard m -> reports.receiveRanges(m);
       case RobotMessage.Negotiate m ->
           bidder.answer(m.message(), robot, hello, lastState, m.replyTo());
       case RobotMessage.RecordChanged m -> robot = m.robot();

@@ -85,6 +85,19 @@ public sealed interface RobotMessage {
    */
   record Clear(Set<String> reasons) implements RobotMessage {}
 
+  /**
+   * What sensors beside the link see now.
+   *
+   * @param ranges metres from the robot's rim, with the angles of {@code angles}
+   * @param angles radians, counter-clockwise from straight ahead; as many
+   */
+  record RangesHeard(List<Double> ranges, List<Double> angles) implements RobotMessage {
+    public RangesHeard {
+      ranges = List.copyOf(ranges);
+      angles = List.copyOf(angles);
+    }
+  }
+
   record Locate(Pose pose) implements RobotMessage {}
 
   /** A floor announces tasks, or proposes a contract. */
