@@ -29,8 +29,8 @@ Runs the full test suite, and says at its end how much it did of each kind.
 
 Nothing is left out: what this machine lacks is named, all at once. On Debian and Ubuntu it brings
 what it needs: Chromium, socat, iproute2, nftables, faketime and the compilers of the firmware (installed when
-you are root), a private MySQL server with its client and the fuzzer Schemathesis (unpacked into
-~/.cache/toqa, not installed). Network cables are pulled by root alone.
+you are root), a private MySQL server with its client, Mosquitto and the fuzzer Schemathesis (unpacked
+into ~/.cache/toqa, not installed). Network cables are pulled by root alone.
 TOQA_TEST_MYSQL_URL=jdbc:mysql://... uses a server of yours where it is only talked to; its user
 must be allowed to create databases. The tests that kill one fail then.
 END

@@ -91,7 +91,17 @@ class ArchitectureTest {
 
   @Test
   void onlyTheTrustOfTheLinkKnowsCertificatesAndTls() {
-    onlyIn(new String[] {"org.toqa.link.trust.."}, "org.bouncycastle..", "javax.net.ssl..");
+    onlyIn(new String[] {"org.toqa.link.trust.."}, "org.bouncycastle..");
+    onlyIn(new String[] {"org.toqa.link.trust..", "org.toqa.telemetry.mqtt.."}, "javax.net.ssl..");
+  }
+
+  @Test
+  void onlyTheTelemetrySpeaksMqtt() {
+    onlyIn(
+        new String[] {"org.toqa.telemetry.mqtt.."},
+        "org.eclipse.paho..",
+        "io.moquette..",
+        "io.netty..");
   }
 
   @Test

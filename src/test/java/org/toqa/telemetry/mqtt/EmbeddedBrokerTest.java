@@ -1,0 +1,271 @@
+package org.toqa.telemetry.mqtt;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertNotNull;
+import static org.junit.jupiter.api.Assertions.assertNull;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.net.InetAddress;
+import java.util.List;
+import org.eclipse.paho.client.mqttv3.MqttException;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.toqa.accounts.Secret;
+import org.toqa.fleet.RobotState;
+import org.toqa.telemetry.Refusal;
+import org.toqa.testbed.MqttTestClient;
+
+/** The embedded broker with two sites, and robots and programs at it by Eclipse Paho. */
+class EmbeddedBrokerTest {
+  private static final String RANGE = "{\"stamp\":1,\"metres\":[0.5,1.25]}";
+
+  private EmbeddedBroker broker;
+  private TestSite main;
+  private TestSite north;
+  private MqttTestClient reader;
+
+  @BeforeEach
+  void start() throws Exception {
+    broker = start(0);
+    main = new TestSite("main");
+    north = new TestSite("north");
+    main.connect(broker);
+    north.connect(broker);
+    reader = main.reader(broker);
+    main.awaitOnline(reader);
+  }
+
+  private static EmbeddedBroker start(int port) throws IOException {
+    return EmbeddedBroker.start(
+        new BrokerSettings.Embedded(InetAddress.getLoopbackAddress(), port, null));
+  }
+
+  @AfterEach
+  void stop() throws Exception {
+    reader.close();
+    main.close();
+    north.close();
+    broker.close();
+  }
+
+  private static List<Double> range(TestSite site, String robot) {
+    return site.board.of(robot).readings().stream()
+        .filter(reading -> reading.name().equals("range"))
+        .map(reading -> reading.values())
+        .findFirst()
+        .orElse(List.of());
+  }
+
+  @Test
+  void serverHearsWhatARobotPublishes() throws Exception {
+    try (MqttTestClient r1 = main.robot(broker, "r1")) {
+      r1.publish("toqa/v1/main/robot/r1/range", RANGE, 1, false);
+      MqttTestClient.await(() -> range(main, "r1").equals(List.of(0.5, 1.25)), "range of r1");
+    }
+  }
+
+  @Test
+  void robotPublishesAndReadsNothingButItsOwn() throws Exception {
+    reader.subscribe("toqa/v1/main/#");
+    try (MqttTestClient r1 = main.robot(broker, "r1")) {
+      assertFalse(r1.subscribe("toqa/v1/main/robot/r2/state"));
+      assertFalse(r1.subscribe("toqa/v1/main/#"));
+      assertFalse(r1.subscribe("#"));
+      assertFalse(r1.subscribe("toqa/v1/main/robot/+/range"));
+      assertFalse(r1.subscribe("$share/g/toqa/v1/main/robot/r2/range"));
+      assertTrue(r1.subscribe("toqa/v1/main/robot/r1/#"));
+      for (String topic :
+          List.of(
+              "toqa/v1/main/robot/r2/range",
+              "toqa/v1/main/robot/r1/state",
+              "toqa/v1/main/robot/r1/a/b",
+              "toqa/v1/main/server",
+              "toqa/v1/main/task/1",
+              "toqa/v1/north/robot/r1/range")) {
+        r1.publish(topic, RANGE);
+      }
+      r1.publish("toqa/v1/main/robot/r1/range", RANGE); // comes after those
+      reader.await("toqa/v1/main/robot/r1/range", RANGE::equals);
+    }
+    assertEquals("IDLE", reader.newest("toqa/v1/main/robot/r1/state"));
+    assertEquals("online", reader.newest("toqa/v1/main/server"));
+    assertNull(reader.newest("toqa/v1/main/robot/r2/range"));
+    assertNull(reader.newest("toqa/v1/main/robot/r1/a/b"));
+    assertNull(reader.newest("toqa/v1/main/task/1"));
+    assertEquals(List.of(), range(main, "r2"));
+    assertEquals(List.of(), range(north, "r1"));
+  }
+
+  @Test
+  void nobodyComesInWithoutHisPassword() {
+    assertRefused("main/robot/r1", Secret.random());
+    assertRefused("main/robot/r1", "");
+    assertRefused("main/robot/r1", main.password("r2"));
+    assertRefused("main/robot/r3", main.password("r1"));
+    assertRefused("main/reader", Secret.random());
+    assertRefused("main/reader", north.token);
+    assertRefused("north/robot/r1", main.password("r1"));
+    assertRefused("main/server", Secret.random());
+    assertRefused("south/reader", main.token);
+    assertRefused("r1", main.password("r1"));
+    assertThrows(MqttException.class, () -> MqttTestClient.to(broker.address().uri()).connect());
+  }
+
+  private void assertRefused(String user, String password) {
+    assertThrows(
+        MqttException.class,
+        () -> MqttTestClient.to(broker.address().uri()).as(user, password).connect(),
+        user);
+  }
+
+  @Test
+  void readerSeesTheRetainedStatesOfItsSiteAlone() throws Exception {
+    reader.subscribe("toqa/v1/main/#");
+    assertEquals("IDLE", reader.await("toqa/v1/main/robot/r2/state", any -> true));
+    assertFalse(reader.subscribe("toqa/v1/north/#"));
+    assertFalse(reader.subscribe("toqa/v1/+/robot/r1/state"));
+    assertFalse(reader.subscribe("#"));
+    assertFalse(reader.subscribe("$SYS/#"));
+    reader.publish("toqa/v1/main/robot/r1/state", "forged", 0, true);
+    main.feed.set(List.of(FeedInMemory.robot("r2", RobotState.LOST)), List.of());
+    assertEquals("LOST", reader.await("toqa/v1/main/robot/r2/state", "LOST"::equals));
+    assertEquals("", reader.await("toqa/v1/main/robot/r1/state", String::isEmpty), "r1 is no more");
+    try (MqttTestClient later = main.reader(broker)) {
+      later.subscribe("toqa/v1/main/robot/+/state");
+      later.await("toqa/v1/main/robot/r2/state", "LOST"::equals);
+      assertNull(later.newest("toqa/v1/main/robot/r1/state"), "nothing is kept of it");
+    }
+  }
+
+  @Test
+  void lastWillIsTheRobotsOwnConnection() throws Exception {
+    String connection = "toqa/v1/main/robot/r1/connection";
+    MqttTestClient r1 =
+        MqttTestClient.to(broker.address().uri())
+            .as("main/robot/r1", main.password("r1"))
+            .withWill(connection, "offline")
+            .connect();
+    r1.publish(connection, "online", 1, true);
+    MqttTestClient.await(() -> main.isOnline("r1"), "r1 is online");
+    r1.vanish();
+    MqttTestClient.await(() -> !main.isOnline("r1"), "r1 is offline");
+  }
+
+  @Test
+  void lastWillOnAnothersTopicKeepsItsUserOut() {
+    for (String topic :
+        List.of(
+            "toqa/v1/main/robot/r2/range",
+            "toqa/v1/main/robot/r2/connection",
+            "toqa/v1/main/robot/r1/state",
+            "toqa/v1/north/robot/r1/connection",
+            "toqa/v1/main/server")) {
+      assertThrows(
+          MqttException.class,
+          () ->
+              MqttTestClient.to(broker.address().uri())
+                  .as("main/robot/r1", main.password("r1"))
+                  .withWill(topic, "offline")
+                  .connect(),
+          topic);
+    }
+  }
+
+  @Test
+  void brokerKeepsNoReadingForLater() throws Exception {
+    try (MqttTestClient r1 = main.robot(broker, "r1")) {
+      r1.publish("toqa/v1/main/robot/r1/range", RANGE, 1, true);
+      MqttTestClient.await(() -> !range(main, "r1").isEmpty(), "range of r1");
+      r1.publish("toqa/v1/main/robot/r1/connection", "online", 1, true);
+      MqttTestClient.await(() -> main.board.of("r1").presence() != null, "connection of r1");
+    }
+    try (MqttTestClient later = main.reader(broker)) {
+      later.subscribe("toqa/v1/main/robot/r1/#");
+      later.await("toqa/v1/main/robot/r1/connection", "online"::equals);
+      later.await("toqa/v1/main/robot/r1/state", "IDLE"::equals);
+      assertNull(later.newest("toqa/v1/main/robot/r1/range"));
+    }
+  }
+
+  @Test
+  void clientIdOfAnotherIsNotTakenOver() throws Exception {
+    try (MqttTestClient r1 =
+        MqttTestClient.to(broker.address().uri())
+            .withId("arm")
+            .as("main/robot/r1", main.password("r1"))
+            .connect()) {
+      assertThrows(
+          MqttException.class,
+          () ->
+              MqttTestClient.to(broker.address().uri())
+                  .withId("arm")
+                  .as("main/robot/r2", main.password("r2"))
+                  .connect());
+      assertTrue(r1.isConnected());
+    }
+  }
+
+  @Test
+  void connectionEndsWithItsPasswordOrToken() throws Exception {
+    try (MqttTestClient r1 = main.robot(broker, "r1");
+        MqttTestClient r2 = main.robot(broker, "r2")) {
+      main.passwords.put("r1", Secret.random());
+      main.isTokenValid = false;
+      MqttTestClient.await(() -> !r1.isConnected() && !reader.isConnected(), "both are sent away");
+      assertTrue(r2.isConnected());
+    }
+  }
+
+  @Test
+  void floodOfOneRobotDisturbsNoOther() throws Exception {
+    try (MqttTestClient r1 = main.robot(broker, "r1");
+        MqttTestClient r2 = main.robot(broker, "r2")) {
+      for (int i = 0; i < 1000; i++) {
+        r1.publish("toqa/v1/main/robot/r1/range", "{\"stamp\":%d,\"metres\":[1]}".formatted(i));
+      }
+      r2.publish("toqa/v1/main/robot/r2/range", RANGE, 1, false);
+      MqttTestClient.await(() -> !range(main, "r2").isEmpty(), "range of r2");
+      MqttTestClient.await(
+          () -> main.board.of("r1").refusals().getOrDefault(Refusal.TOO_OFTEN, 0L) > 0,
+          "what is passed over is counted");
+      MqttTestClient.await(
+          () -> main.board.of("r1").readings().stream().anyMatch(reading -> reading.stamp() == 999),
+          "the newest wins");
+    }
+  }
+
+  @Test
+  void serverConnectsAgainAndPublishesAnewAfterTheBrokersRestart() throws Exception {
+    int port = Integer.parseInt(broker.address().uri().replaceFirst(".*:", ""));
+    broker.close();
+    MqttTestClient.await(
+        () -> main.connection().trouble().isPresent(), "the server sees that it is away");
+    broker = start(port);
+    assertTrue(broker.address().uri().endsWith(":" + port));
+    main.close(); // each start has another password of the server's own
+    main.connect(broker);
+    try (MqttTestClient later = main.reader(broker)) {
+      later.subscribe("toqa/v1/main/#");
+      later.await("toqa/v1/main/robot/r1/state", "IDLE"::equals);
+      assertNotNull(later.await("toqa/v1/main/server", "online"::equals));
+    }
+    assertTrue(main.connection().trouble().isEmpty());
+  }
+
+  @Test
+  void serverSaysGoodbye() throws Exception {
+    main.close();
+    assertEquals("offline", reader.await("toqa/v1/main/server", "offline"::equals));
+  }
+
+  @Test
+  void takenPortStopsTheStartWithASentence() {
+    int port = Integer.parseInt(broker.address().uri().replaceFirst(".*:", ""));
+    IOException e = assertThrows(IOException.class, () -> start(port));
+    assertTrue(String.valueOf(e.getMessage()).contains("mqtt.port"), e.getMessage());
+  }
+}
