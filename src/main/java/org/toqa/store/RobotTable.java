@@ -90,6 +90,8 @@ final class RobotTable {
             """)
         .bind("id", id(h, robot))
         .execute();
+    h.execute("delete from mqtt_passwords where robot = ?", robot);
+    h.execute("delete from reading_limits where robot = ?", robot);
     forgetPlace(h, robot);
   }
 

@@ -8,6 +8,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.time.Duration;
 import java.time.Instant;
+import java.time.InstantSource;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
@@ -34,6 +35,7 @@ import org.toqa.mission.Phase;
 import org.toqa.motion.Segment;
 import org.toqa.motion.Trajectory;
 import org.toqa.persistence.StoreException;
+import org.toqa.telemetry.ReadingLimits;
 import org.toqa.wording.Sentence;
 
 /** What every database must do for robots; here H2, in {@code MySqlRobotStoreTest} MySQL. */
@@ -50,6 +52,29 @@ class RobotStoreTest extends FleetDatabaseTest {
     assertTrue(store.updateRobot(moved, behind, List.of()));
     assertEquals(List.of(behind, R2), store.robots());
     assertFalse(store.updateRobot(moved, R1, List.of()), "it is reached by another gateway now");
+  }
+
+  @Test
+  void passwordAndLimitsOfReadingsEndWithTheirRobot() {
+    store.saveRobot(R1);
+    JdbiTelemetryStore telemetry = new JdbiTelemetryStore(database.jdbi(), InstantSource.system());
+    assertEquals(Optional.empty(), telemetry.passwordHash("r1"));
+    telemetry.setPasswordHash("r1", "a".repeat(64), "Max");
+    telemetry.setPasswordHash("r1", "b".repeat(64), "Max");
+    assertEquals(Optional.of("b".repeat(64)), telemetry.passwordHash("r1"));
+    ReadingLimits low = new ReadingLimits("r1", "range", 0.25, null);
+    ReadingLimits both = new ReadingLimits("r1", "heat", -3.5, 60.0);
+    telemetry.setLimits(new ReadingLimits("r1", "range", 1.0, 2.0));
+    telemetry.setLimits(low);
+    telemetry.setLimits(both);
+    assertEquals(List.of(both, low), telemetry.limits());
+    telemetry.setLimits(new ReadingLimits("r1", "heat", null, null));
+    assertEquals(List.of(low), telemetry.limits());
+
+    store.removeRobot("r1", List.of());
+
+    assertEquals(Optional.empty(), telemetry.passwordHash("r1"));
+    assertEquals(List.of(), telemetry.limits());
   }
 
   @Test
