@@ -86,6 +86,72 @@
       </c:if>
     </article>
   </c:if>
+  <c:if test="${not empty broker}">
+    <article class="card" id="readings" data-live="robot-readings" data-name="${fn:escapeXml(robot.name)}">
+      <h2><fmt:message key="robot.readings"/></h2>
+      <c:if test="${not empty published.presence()}"><p><fmt:message key="robot.readings.${published.presence().online() ? 'online' : 'offline'}"/>${" "}<t:time at="${published.presence().since()}"/></p></c:if>
+      <c:choose>
+        <c:when test="${empty published.readings()}"><p class="faint"><fmt:message key="robot.readings.none"/></p></c:when>
+        <c:otherwise>
+          <table>
+            <thead><tr><th><fmt:message key="robot.readings.name"/></th><th><fmt:message key="robot.readings.value"/></th><th><fmt:message key="robot.readings.heard"/></th></tr></thead>
+            <tbody>
+              <c:forEach items="${published.readings()}" var="reading">
+                <tr>
+                  <td><bdi dir="ltr"><c:out value="${reading.name()}"/></bdi></td>
+                  <td><bdi dir="ltr"><c:forEach items="${reading.values()}" var="value" varStatus="at">${at.first ? '' : ', '}<fmt:formatNumber value="${value}" maxFractionDigits="3"/></c:forEach>${" "}<c:out value="${reading.unit()}"/></bdi></td>
+                  <td><t:time at="${reading.receivedAt()}"/></td>
+                </tr>
+              </c:forEach>
+            </tbody>
+          </table>
+        </c:otherwise>
+      </c:choose>
+      <c:if test="${not empty limits}">
+        <h3><fmt:message key="robot.limits"/></h3>
+        <ul><c:forEach items="${limits}" var="limit"><li><bdi dir="ltr"><c:out value="${limit.reading()}"/></bdi>: <c:if test="${limit.low() != null}"><fmt:formatNumber value="${limit.low()}" maxFractionDigits="3" var="low"/><fmt:message key="robot.limits.low.is"><fmt:param value="${low}"/></fmt:message>${" "}</c:if><c:if test="${limit.high() != null}"><fmt:formatNumber value="${limit.high()}" maxFractionDigits="3" var="high"/><fmt:message key="robot.limits.high.is"><fmt:param value="${high}"/></fmt:message></c:if></li></c:forEach></ul>
+      </c:if>
+      <c:if test="${not empty published.refusals()}">
+        <h3><fmt:message key="robot.refusals"/></h3>
+        <ul><c:forEach items="${published.refusals()}" var="refusal"><li><fmt:message key="robot.refusal.${refusal.key}"><fmt:param value="${refusal.value}"/></fmt:message></li></c:forEach></ul>
+      </c:if>
+    </article>
+    <c:if test="${caller.mayManage()}">
+      <article class="card" id="limits">
+        <h2><fmt:message key="robot.limits.set"/></h2>
+        <p class="faint"><fmt:message key="robot.limits.intro"/></p>
+        <c:url value="/robots/${robot.name}/limits" var="setLimits"/>
+        <form method="post" action="<c:out value="${setLimits}"/>" novalidate>
+          <t:csrf/>
+          <div class="grid">
+            <div><t:field name="reading" label="robot.readings.name" hint="robot.readings.name.hint" latin="true" idle="${sent != 'limits'}"/></div>
+            <div><t:field name="low" label="robot.limits.low" inputmode="decimal" optional="true" idle="${sent != 'limits'}"/></div>
+            <div><t:field name="high" label="robot.limits.high" inputmode="decimal" optional="true" idle="${sent != 'limits'}"/></div>
+          </div>
+          <button><fmt:message key="robot.limits.submit"/></button>
+        </form>
+      </article>
+      <article class="card" id="mqtt">
+        <h2><fmt:message key="robot.mqtt"/></h2>
+        <c:if test="${not empty mqttPassword}"><div class="notice good" role="status"><p><fmt:message key="robot.mqtt.once"/></p><code class="secret" dir="ltr"><c:out value="${mqttPassword}"/></code></div></c:if>
+        <dl>
+          <dt><fmt:message key="robot.mqtt.broker"/></dt><dd><bdi dir="ltr"><c:out value="${broker.address()}"/></bdi></dd>
+          <dt><fmt:message key="robot.mqtt.user"/></dt><dd><bdi dir="ltr"><c:out value="${mqttUser}"/></bdi></dd>
+        </dl>
+        <c:choose>
+          <c:when test="${broker.isEmbedded()}">
+            <c:url value="/robots/${robot.name}/mqtt-password" var="makePassword"/>
+            <form method="post" action="<c:out value="${makePassword}"/>">
+              <t:csrf/>
+              <c:if test="${hasMqttPassword}"><p class="faint"><fmt:message key="robot.mqtt.replaces"/></p></c:if>
+              <button class="outline"><fmt:message key="robot.mqtt.${hasMqttPassword ? 'again' : 'make'}"/></button>
+            </form>
+          </c:when>
+          <c:otherwise><p class="faint"><fmt:message key="robot.mqtt.elsewhere"/></p></c:otherwise>
+        </c:choose>
+      </article>
+    </c:if>
+  </c:if>
   <article class="card" id="battery" data-live="robot-battery" data-name="${fn:escapeXml(robot.name)}">
     <h2><fmt:message key="robot.batteryLevels"><fmt:param value="${trackHours}"/></fmt:message></h2>
     <c:choose>

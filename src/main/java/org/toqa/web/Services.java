@@ -18,11 +18,13 @@ import org.toqa.fleet.history.EventArchive;
 import org.toqa.fleet.history.SeenPlaces;
 import org.toqa.fleet.history.StatisticsArchive;
 import org.toqa.fleet.history.TrackStore;
+import org.toqa.telemetry.Telemetry;
 
 /**
  * What the web application uses of one site.
  *
  * @param site whose fleet and users these are
+ * @param telemetry what robots publish by MQTT; null: no broker is configured
  */
 public record Services(
     Site site,
@@ -35,6 +37,7 @@ public record Services(
     ScheduleStore schedules,
     StatisticsArchive statistics,
     SeenPlaces seenPlaces,
+    @Nullable Telemetry telemetry,
     AccountStore accounts,
     SessionStore sessions,
     PasswordLinks passwordLinks,

@@ -3,6 +3,9 @@ import {showTime, showTimes} from './times.js';
 /** Milliseconds between two refreshes at least. */
 const REFRESH_INTERVAL = 1_000;
 
+/** The same for what robots publish by MQTT. */
+const READINGS_INTERVAL = 5_000;
+
 /** What each kind of region shows of a snapshot: when that changes, the region is fetched anew. */
 const SUBJECTS = {
   tasks: ({tasks, queued}) => [queued, ...tasks.map((task) => [task.id, task.state, task.robots, task.held])],
@@ -22,6 +25,7 @@ const SUBJECTS = {
     const task = tasks.find((candidate) => String(candidate.id) === name);
     return task && [task.state, task.held, task.blocked, task.priority, task.needs];
   },
+  'robot-readings': () => Math.floor(Date.now() / READINGS_INTERVAL), // they are in no snapshot
   'robot-battery': ({robots}, name) => Math.round(100 * robots.find((robot) => robot.name === name)?.battery),
   'robot-stop': ({robots}, name) => {
     const robot = robots.find((candidate) => candidate.name === name);

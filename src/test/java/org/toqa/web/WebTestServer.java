@@ -46,9 +46,11 @@ import org.toqa.store.JdbiPasswordResetStore;
 import org.toqa.store.JdbiScheduleStore;
 import org.toqa.store.JdbiSessionStore;
 import org.toqa.store.JdbiStatisticsArchive;
+import org.toqa.store.JdbiTelemetryStore;
 import org.toqa.store.JdbiTrackStore;
 import org.toqa.store.JdbiUtilisationStore;
 import org.toqa.store.MemoryDatabase;
+import org.toqa.telemetry.Telemetry;
 import org.toqa.testbed.CheapPassword;
 import org.toqa.testbed.RealMySql;
 
@@ -94,6 +96,7 @@ public final class WebTestServer implements AutoCloseable {
   private final TestMailbox mailbox = new TestMailbox();
   private final FirstStartCode firstStartCode = FirstStartCode.random();
   private final AccountStore accounts;
+  private final Telemetry telemetry;
   private final JdbiFleetStore store;
   private final JdbiTrackStore tracks;
   private final JdbiUtilisationStore uses;
@@ -216,6 +219,15 @@ public final class WebTestServer implements AutoCloseable {
             InstantSource.system());
     tracks = new JdbiTrackStore(jdbi);
     uses = new JdbiUtilisationStore(jdbi);
+    telemetry =
+        new Telemetry(
+            SITE.name(),
+            new Telemetry.BrokerPlace("mqtt://127.0.0.1:1883", true),
+            name ->
+                fleet.snapshots().latest().robots().stream().anyMatch(r -> r.name().equals(name)),
+            (robot, seen) -> {},
+            new JdbiTelemetryStore(jdbi, InstantSource.system()),
+            InstantSource.system());
     Services services =
         new Services(
             SITE,
@@ -228,6 +240,7 @@ public final class WebTestServer implements AutoCloseable {
             schedules,
             new JdbiStatisticsArchive(jdbi),
             seenPlaces,
+            telemetry,
             accounts,
             sessions,
             links,
@@ -248,6 +261,11 @@ public final class WebTestServer implements AutoCloseable {
   /** What robots saw; the fleet of this server sees nothing by itself. */
   public SeenPlaces seenPlaces() {
     return seenPlaces;
+  }
+
+  /** What robots publish; no broker hears them here. */
+  public Telemetry telemetry() {
+    return telemetry;
   }
 
   private static Metrics metrics(SnapshotFeed snapshots) {

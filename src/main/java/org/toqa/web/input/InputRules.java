@@ -17,6 +17,7 @@ import org.toqa.accounts.Site;
 import org.toqa.fleet.PartsOrder;
 import org.toqa.link.trust.PairingCode;
 import org.toqa.mission.TransportTask.LoadSize;
+import org.toqa.telemetry.Topics;
 import org.toqa.web.Texts;
 import org.toqa.web.access.Caller;
 
@@ -44,6 +45,9 @@ public final class InputRules {
 
   /** Metres from the map's origin. */
   private static final double MAX_COORDINATE = 1_000_000;
+
+  /** Of a reading, in whatever unit. */
+  private static final double MAX_LIMIT = 1e12;
 
   /** Times that every database can hold. */
   private static final Instant EARLIEST = Instant.parse("2000-01-01T00:00:00Z");
@@ -231,6 +235,31 @@ public final class InputRules {
       refuse(field, "error.code");
     }
     return code.orElse(null);
+  }
+
+  public String readingName(String field, @Nullable String given) {
+    String name = given == null ? "" : given.strip();
+    if (!Topics.isReading(name) || name.equals(Topics.CONNECTION)) {
+      refuse(field, "error.reading");
+    }
+    return name;
+  }
+
+  /** Of a reading, in whatever unit; it may be missing. */
+  public @Nullable Double limit(String field, @Nullable Double given) {
+    if (given != null && !(Math.abs(given) <= MAX_LIMIT)) { // so for NaN too
+      refuse(field, "error.limit");
+    }
+    return given;
+  }
+
+  /**
+   * @param field of the higher one
+   */
+  public void limitsInOrder(String field, @Nullable Double low, @Nullable Double high) {
+    if (low != null && high != null && !(low < high)) {
+      refuse(field, "error.limits.order");
+    }
   }
 
   public String userName(String field, @Nullable String given) {

@@ -185,7 +185,8 @@ public final class RobotPage extends PageHandler {
         .differences();
   }
 
-  private static Optional<RobotView> addRobotAttributes(HttpServletRequest request) {
+  /** For the view "robot"; empty: there is none of the name in the path. */
+  static Optional<RobotView> addRobotAttributes(HttpServletRequest request) {
     String name = RequestPath.parameter(request, "name");
     FleetSnapshot fleet = services(request).fleet().snapshots().latest();
     Optional<RobotView> robot =
@@ -194,6 +195,7 @@ public final class RobotPage extends PageHandler {
         r -> {
           request.setAttribute("robot", r);
           request.setAttribute("version", Version.of(r));
+          ReadingForms.addAttributes(request, r.name());
           request.setAttribute(
               "ranges",
               RangePicture.of(r.telemetry().readings().ranges(), r.capabilities().sensorRange()));

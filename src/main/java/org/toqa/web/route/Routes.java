@@ -41,6 +41,7 @@ import org.toqa.web.api.OrdersResource;
 import org.toqa.web.api.PasswordResetResource;
 import org.toqa.web.api.PathResource;
 import org.toqa.web.api.ProblemHandler;
+import org.toqa.web.api.ReadingsResource;
 import org.toqa.web.api.RobotResource;
 import org.toqa.web.api.RobotsResource;
 import org.toqa.web.api.ScheduleResource;
@@ -75,6 +76,7 @@ import org.toqa.web.page.LogoutForm;
 import org.toqa.web.page.MapPage;
 import org.toqa.web.page.NewTaskPage;
 import org.toqa.web.page.OrderPage;
+import org.toqa.web.page.ReadingForms;
 import org.toqa.web.page.ResetPasswordPage;
 import org.toqa.web.page.RobotPage;
 import org.toqa.web.page.RobotsPage;
@@ -145,6 +147,8 @@ public final class Routes {
           post("/robots/{name}/home", MANAGER, RobotPage::sendHome),
           post("/robots/{name}/pair", MANAGER, RobotPage::pair),
           post("/robots/{name}/change", MANAGER, RobotPage::change),
+          post("/robots/{name}/limits", MANAGER, ReadingForms::setLimits),
+          post("/robots/{name}/mqtt-password", MANAGER, ReadingForms::makePassword),
           post("/robots/{name}/remove", MANAGER, RobotPage::remove),
           post("/fleet/pause", CLERK, FleetForms::pause).with(URGENT),
           post("/fleet/resume", MANAGER, FleetForms::resume),
@@ -249,6 +253,9 @@ public final class Routes {
           get("/api/v1/tracks", CLERK, TracksResource::get),
           get("/api/v1/tracks/{name}", CLERK, TrackResource::get),
           get("/api/v1/robots/{name}/battery", CLERK, BatteryResource::get),
+          get("/api/v1/robots/{name}/readings", CLERK, ReadingsResource::get),
+          put("/api/v1/robots/{name}/limits/{reading}", MANAGER, ReadingsResource::setLimits),
+          post("/api/v1/robots/{name}/mqtt-password", MANAGER, ReadingsResource::makePassword),
           get("/api/v1/history", CLERK, HistoryResource::get),
           get("/api/v1/statistics", CLERK, StatisticsResource::get),
           get("/api/v1/statistics/series.csv", CLERK, StatisticsCsvResource::series),
