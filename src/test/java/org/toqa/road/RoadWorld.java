@@ -169,6 +169,7 @@ final class RoadWorld {
         usual.mailServer(),
         usual.plainLinks(),
         usual.gateways(),
+        usual.broker(),
         usual.logLevel(),
         usual.logFormat());
   }

@@ -10,6 +10,7 @@ import org.jspecify.annotations.Nullable;
 import org.toqa.allocation.Policy;
 import org.toqa.fleet.ChargingRules;
 import org.toqa.grid.Margins;
+import org.toqa.telemetry.mqtt.BrokerSettings;
 
 /**
  * How this server is to run, every value checked. {@code docs/configuration.md} explains each.
@@ -42,6 +43,7 @@ import org.toqa.grid.Margins;
  * @param mailServer sends e-mail; null: none is sent
  * @param plainLinks whether links to robots on other machines may be unencrypted
  * @param gateways where gateways are listened for; null: nowhere
+ * @param broker of MQTT; null: none is used
  */
 public record Configuration(
     InetAddress address,
@@ -71,6 +73,7 @@ public record Configuration(
     @Nullable MailServer mailServer,
     boolean plainLinks,
     @Nullable GatewaySettings gateways,
+    @Nullable BrokerSettings broker,
     Level logLevel,
     LogFormat logFormat) {
 
@@ -109,6 +112,7 @@ public record Configuration(
         null,
         mailServer,
         plainLinks,
+        null,
         null,
         logLevel,
         logFormat);

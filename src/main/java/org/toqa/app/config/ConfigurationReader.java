@@ -34,6 +34,7 @@ import org.toqa.app.config.ValueRange.WholeNumbers;
 import org.toqa.fleet.ChargingRules;
 import org.toqa.grid.Margins;
 import org.toqa.store.Database;
+import org.toqa.telemetry.mqtt.BrokerSettings;
 
 /**
  * Reads a configuration and checks every value.
@@ -41,6 +42,9 @@ import org.toqa.store.Database;
  * @param layers the first one that gives a setting decides
  */
 record ConfigurationReader(List<SettingSource> layers) {
+  private static final String BROKER =
+      "mqtts?://(\\[[0-9A-Fa-f:.]+\\]|[A-Za-z0-9._-]+)(:[0-9]{1,5})?";
+  private static final int LARGEST_PORT = 65_535;
   private static final String URL = "https?://[^\\s/?#]+(/[^\\s?#]*)?";
 
   /**
@@ -85,6 +89,7 @@ record ConfigurationReader(List<SettingSource> layers) {
         mailServer(),
         flag(Setting.PLAIN_LINKS),
         gateways(),
+        broker(),
         logLevel(),
         logFormat());
   }
@@ -156,6 +161,59 @@ record ConfigurationReader(List<SettingSource> layers) {
     return GatewaySettings.parseTrusted(trusted)
         .map(known -> new GatewaySettings(address, port, known))
         .orElseThrow(() -> outOfRange(Setting.GATEWAYS_TRUSTED));
+  }
+
+  private @Nullable BrokerSettings broker() throws ConfigurationException {
+    InetAddress address = address(Setting.MQTT_ADDRESS);
+    int port = wholeNumber(Setting.MQTT_PORT);
+    boolean plain = flag(Setting.MQTT_PLAIN);
+    String broker = text(Setting.MQTT_BROKER).strip();
+    if (broker.isEmpty()) {
+      return null;
+    }
+    if (!broker.equals("embedded")) {
+      return externalBroker(plain);
+    }
+    if (text(Setting.MQTT_CERTIFICATE).isEmpty() && text(Setting.MQTT_KEY).isEmpty()) {
+      requirePlain(Setting.MQTT_ADDRESS, address, plain, "give mqtt.certificate and mqtt.key");
+      return new BrokerSettings.Embedded(address, port, null);
+    }
+    return new BrokerSettings.Embedded(
+        address,
+        port,
+        new BrokerSettings.PemFiles(pem(Setting.MQTT_CERTIFICATE), pem(Setting.MQTT_KEY)));
+  }
+
+  private BrokerSettings externalBroker(boolean plain) throws ConfigurationException {
+    URI uri = URI.create(matching(Setting.MQTT_BROKER, BROKER));
+    int port = uri.getPort();
+    if (uri.getHost() == null || port == 0 || port > LARGEST_PORT) {
+      throw outOfRange(Setting.MQTT_BROKER);
+    }
+    if (uri.getScheme().equals("mqtt")) {
+      InetAddress host;
+      try {
+        host = InetAddress.getByName(uri.getHost());
+      } catch (UnknownHostException e) {
+        host = InetAddress.ofLiteral("0.0.0.0"); // it may be known later; it is not loopback
+      }
+      requirePlain(Setting.MQTT_BROKER, host, plain, "use mqtts://");
+    }
+    return new BrokerSettings.External(
+        uri,
+        nullIfEmpty(text(Setting.MQTT_USER)),
+        nullIfEmpty(text(Setting.MQTT_PASSWORD)),
+        text(Setting.MQTT_CA).isEmpty() ? null : pem(Setting.MQTT_CA));
+  }
+
+  /** Passwords go unencrypted nowhere but on loopback, unless somebody says so by name. */
+  private void requirePlain(Setting setting, InetAddress address, boolean plain, String remedy)
+      throws ConfigurationException {
+    if (!plain && !address.isLoopbackAddress()) {
+      throw invalid(
+          setting,
+          "passwords would go there unencrypted: %s, or set mqtt.plain to true.".formatted(remedy));
+    }
   }
 
   /** With those that {@link Setting#ADDRESS} and {@link Setting#URL} name. */

@@ -68,6 +68,19 @@ public enum Setting {
   GATEWAYS_TRUSTED("gateways.trusted", "", GatewaySettings.DESCRIPTION),
   GATEWAYS_ADDRESS("gateways.address", "0.0.0.0", "a host name or IP address of this machine"),
   GATEWAYS_PORT("gateways.port", "7276", new WholeNumber(0, 65_535, "", "; 0 takes any free port")),
+  MQTT_BROKER(
+      "mqtt.broker",
+      "",
+      "embedded, or the address of a broker: mqtt://HOST:PORT or mqtts://HOST:PORT"),
+  MQTT_ADDRESS("mqtt.address", "127.0.0.1", "a host name or IP address of this machine"),
+  MQTT_PORT("mqtt.port", "1883", new WholeNumber(0, 65_535, "", "; 0 takes any free port")),
+  MQTT_PLAIN("mqtt.plain", "false", new Choice("true", "false")),
+  MQTT_CERTIFICATE(
+      "mqtt.certificate", "", "a PEM file with the certificate and those that vouch for it"),
+  MQTT_KEY("mqtt.key", "", "a PEM file with the certificate's private key, without a password"),
+  MQTT_CA("mqtt.ca", "", "a PEM file with the certificates that vouch for the broker"),
+  MQTT_USER("mqtt.user", "", "a user of the broker"),
+  MQTT_PASSWORD("mqtt.password", "", "that user's password"),
   LOG_LEVEL("logLevel", "INFO", new Choice("ERROR", "WARN", "INFO", "DEBUG", "TRACE")),
   LOG_FORMAT("logFormat", "text", new Choice("text", "json"));
 
@@ -128,7 +141,10 @@ public enum Setting {
   }
 
   boolean isSecret() {
-    return this == DATABASE_PASSWORD || this == MAIL_PASSWORD || this == MANAGER;
+    return this == DATABASE_PASSWORD
+        || this == MAIL_PASSWORD
+        || this == MQTT_PASSWORD
+        || this == MANAGER;
   }
 
   static Optional<Setting> byKey(String key) {

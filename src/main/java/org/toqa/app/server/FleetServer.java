@@ -55,8 +55,10 @@ import org.toqa.store.JdbiSightingStore;
 import org.toqa.store.JdbiSiteStore;
 import org.toqa.store.JdbiStatisticsArchive;
 import org.toqa.store.JdbiTaskTraces;
+import org.toqa.store.JdbiTelemetryStore;
 import org.toqa.store.JdbiTrackStore;
 import org.toqa.store.JdbiUtilisationStore;
+import org.toqa.telemetry.Telemetry;
 import org.toqa.web.IdempotentSubmitter;
 import org.toqa.web.Metrics;
 import org.toqa.web.PasswordLinks;
@@ -230,6 +232,16 @@ public final class FleetServer implements AutoCloseable {
             System::nanoTime);
     parts.push(retention);
     fleet.addWarning(retention::warning);
+    Telemetry telemetry =
+        shared
+            .telemetry()
+            .open(
+                site,
+                fleet,
+                new JdbiTelemetryStore(database.jdbi(), wallClock),
+                sessions,
+                wallClock,
+                parts);
     Services services =
         new Services(
             site,
@@ -242,6 +254,7 @@ public final class FleetServer implements AutoCloseable {
             schedules,
             new JdbiStatisticsArchive(database.readers()),
             seenPlaces,
+            telemetry,
             accounts,
             sessions,
             passwordLinks,

@@ -1,6 +1,7 @@
 package org.toqa.app.server;
 
 import com.github.benmanes.caffeine.cache.Ticker;
+import java.io.IOException;
 import java.time.InstantSource;
 import java.util.concurrent.atomic.AtomicReference;
 import org.jspecify.annotations.Nullable;
@@ -17,6 +18,7 @@ import org.toqa.web.RequestLimit;
  * the work on passwords.
  *
  * @param throttle of guesses at all sites together
+ * @param telemetry the broker of all sites
  * @param simulated the robots that live in this process, once they do
  */
 record ServerParts(
@@ -26,9 +28,13 @@ record ServerParts(
     ConcurrencyLimits concurrency,
     AllowedHosts hosts,
     InstantSource clock,
+    ServerTelemetry telemetry,
     AtomicReference<@Nullable SimulatedFleet> simulated) {
 
-  static ServerParts of(Configuration configuration, PasswordHasher passwords) {
+  /**
+   * @throws IOException the MQTT broker cannot be had; the message says what to do
+   */
+  static ServerParts of(Configuration configuration, PasswordHasher passwords) throws IOException {
     InstantSource wallClock = InstantSource.system();
     Configuration.Limits limits = configuration.limits();
     return new ServerParts(
@@ -42,6 +48,7 @@ record ServerParts(
             limits.connections()),
         new AllowedHosts(configuration.hosts()),
         wallClock,
+        ServerTelemetry.start(configuration.broker()),
         new AtomicReference<>());
   }
 

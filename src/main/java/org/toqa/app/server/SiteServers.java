@@ -76,7 +76,13 @@ public final class SiteServers implements Sites, AutoCloseable {
       throws IOException {
     ServerParts shared = ServerParts.of(configuration, passwords);
     Site site = new Site(Site.FIRST_ID, "main");
-    FleetServer first = FleetServer.start(site, configuration, shared);
+    FleetServer first;
+    try {
+      first = FleetServer.start(site, configuration, shared);
+    } catch (IOException | RuntimeException e) {
+      shared.telemetry().close();
+      throw e;
+    }
     SiteServers sites = new SiteServers(configuration, shared, first);
     try {
       sites.startOthers();
@@ -250,5 +256,6 @@ public final class SiteServers implements Sites, AutoCloseable {
         .flatMap(entry -> Stream.ofNullable(entry.server()))
         .forEach(FleetServer::close);
     first.close();
+    shared.telemetry().close();
   }
 }

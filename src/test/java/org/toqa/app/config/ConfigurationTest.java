@@ -142,6 +142,10 @@ class ConfigurationTest {
         "SPEED         | 2              | set simulate as well",
         "GATEWAYS_TRUSTED | dock=9f86  | names of gateways with their fingerprints",
         "GATEWAYS_PORT | 70000         | a whole number from 0 to 65535",
+        "MQTT_BROKER   | http://broker  | embedded, or the address of a broker",
+        "MQTT_BROKER   | mqtt://:1      | embedded, or the address of a broker",
+        "MQTT_BROKER   | mqtt://192.0.2.1 | use mqtts://, or set mqtt.plain to true",
+        "MQTT_PORT     | 70000          | a whole number from 0 to 65535",
         "LOG_FORMAT    | xml            | text or json",
         "LOG_LEVEL     | loud           | ERROR, WARN, INFO, DEBUG, TRACE",
       })

@@ -94,6 +94,8 @@ final class AttackedServer implements AutoCloseable {
     settings.put(Setting.REQUESTS_PER_SECOND, "0");
     settings.put(Setting.SIMULATE, "2");
     settings.put(Setting.SPEED, "10");
+    settings.put(Setting.MQTT_BROKER, "embedded");
+    settings.put(Setting.MQTT_PORT, "0");
     for (Setting limit : UNLIMITED) {
       settings.put(limit, "10000");
     }

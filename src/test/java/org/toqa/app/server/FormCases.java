@@ -149,6 +149,11 @@ final class FormCases {
                 refused("host", "port", "maxLoad", "parking", "gateway"),
                 Map.of("version", CONFLICT))),
         FormCase.of(
+            "robots/Absent",
+            "/robots/{name}/limits",
+            Map.of("reading", "range", "low", "1"),
+            refused("reading", "low", "high")),
+        FormCase.of(
             "sites",
             "/sites",
             Map.of("name", "north{n}", "manager", "Nora", "password", WebTestServer.PASSWORD),
