@@ -280,6 +280,7 @@ class SitesTest {
       wanted.put("{id}", String.valueOf(task));
       wanted.put("{floor}", floor.replace(" ", "%20"));
       wanted.put("{name}", SECRET + "-robot");
+      wanted.put("{reading}", "range");
       wanted.put("{session}", "1");
       wanted.put("{site}", "main");
     }

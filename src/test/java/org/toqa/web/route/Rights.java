@@ -96,6 +96,7 @@ public final class Rights {
         .replace("{language}", "en")
         .replace("{name}", "none")
         .replace("{session}", "999999")
+        .replace("{reading}", "range")
         .replace("{floor}", "none")
         .replace("{site}", "none")
         .replace("*", "css/base.css");
