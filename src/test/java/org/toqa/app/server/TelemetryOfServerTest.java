@@ -128,6 +128,7 @@ class TelemetryOfServerTest {
               assertTrue(readings(api).isEmpty());
             } finally {
               isOver.set(true);
+              robot.vanish(); // a goodbye would wait behind the flood
             }
           }
         });
