@@ -46,7 +46,7 @@
         <dt><fmt:message key="robot.address"/></dt><dd><bdi dir="ltr"><c:out value="${robot.record.host}"/>:${robot.record.port}</bdi><c:if test="${robot.record.simulated}"> (<fmt:message key="robot.simulated"/>)</c:if></dd>
         <c:if test="${not empty robot.record.gateway}"><dt><fmt:message key="robot.gateway"/></dt><dd><bdi><c:out value="${robot.record.gateway}"/></bdi><c:forEach items="${gateways}" var="gateway"><c:if test="${gateway.name == robot.record.gateway}"> · <c:choose><c:when test="${gateway.isConnected}"><fmt:message key="robots.gateway.connected"><fmt:param value="${gateway.address}"/></fmt:message></c:when><c:otherwise><fmt:message key="robots.gateway.notConnected"/></c:otherwise></c:choose>${" "}<t:time at="${gateway.since}"/></c:if></c:forEach></dd></c:if>
         <dt><fmt:message key="robot.link"/></dt>
-        <dd><c:choose><c:when test="${empty robot.record.fingerprint}"><fmt:message key="robot.link.plain"/></c:when><c:otherwise><fmt:message key="robot.link.paired"><fmt:param value="${fn:substring(robot.record.fingerprint, 0, 16)}"/></fmt:message></c:otherwise></c:choose></dd>
+        <dd><c:choose><c:when test="${robot.record.isHttp() and empty robot.record.fingerprint}"><fmt:message key="robot.link.http"/></c:when><c:when test="${robot.record.isHttp()}"><fmt:message key="robot.link.https"><fmt:param value="${fn:substring(robot.record.fingerprint, 0, 16)}"/></fmt:message></c:when><c:when test="${empty robot.record.fingerprint}"><fmt:message key="robot.link.plain"/></c:when><c:otherwise><fmt:message key="robot.link.paired"><fmt:param value="${fn:substring(robot.record.fingerprint, 0, 16)}"/></fmt:message></c:otherwise></c:choose></dd>
         <dt><fmt:message key="robot.lastSeen"/></dt>
         <dd><t:last-seen robot="${robot}"/></dd>
       </dl>
@@ -267,7 +267,13 @@
           <div><t:field name="maxLoad" label="robots.add.maxLoad" inputmode="decimal" value="${robot.maxLoad % 1 == 0 ? robot.maxLoad.intValue() : robot.maxLoad}"/></div>
           <div><t:parking chosen="${param.parking == null ? robot.record.parking : param.parking}" none="robot.parking.none" on="${robot.floor()}"/></div>
         </div>
-        <t:gateway chosen="${param.gateway == null ? robot.record.gateway : param.gateway}"/>
+        <c:if test="${robot.record.isHttp()}">
+          <div class="grid">
+            <div><t:field name="token" type="password" label="robot.token" hint="robot.token.hint" optional="true"/></div>
+            <div><t:field name="fingerprint" label="robot.fingerprint" hint="robot.fingerprint.hint" latin="true" optional="true"/></div>
+          </div>
+        </c:if>
+        <c:if test="${not robot.record.isHttp()}"><t:gateway chosen="${param.gateway == null ? robot.record.gateway : param.gateway}"/></c:if>
         <button><fmt:message key="robot.change.submit"/></button>
       </form>
       <c:if test="${not robot.record.simulated}">
@@ -282,7 +288,7 @@
         </details>
       </c:if>
     </article>
-    <c:if test="${not robot.record.simulated}">
+    <c:if test="${not robot.record.simulated and not robot.record.isHttp()}">
       <article class="card" id="pair">
         <h2><fmt:message key="robot.pair.${empty robot.record.fingerprint ? 'first' : 'again'}"/></h2>
         <p class="faint"><fmt:message key="robot.pair.intro"/></p>

@@ -91,7 +91,17 @@
           </div>
         </div>
         <t:gateway chosen="${param.gateway}"/>
-        <t:field name="code" label="robots.add.code" hint="robots.add.code.hint" latin="true" optional="true"/>
+        <label for="link"><fmt:message key="robots.add.link"/></label>
+        <select id="link" name="link" ${isSent and not empty errors.link ? 'aria-invalid="true" aria-describedby="link-help"' : ''}>
+          <option value="toqa"><fmt:message key="robots.add.link.toqa"/></option>
+          <option value="http" ${param.link == 'http' ? 'selected' : ''}><fmt:message key="robots.add.link.http"/></option>
+        </select>
+        <c:if test="${isSent and not empty errors.link}"><small id="link-help" class="wrong"><bdi><c:out value="${errors.link}"/></bdi></small></c:if>
+        <div class="grid if-http">
+          <div><t:field name="token" type="password" label="robots.add.token" hint="robots.add.token.hint" optional="true"/></div>
+          <div><t:field name="fingerprint" label="robots.add.fingerprint" hint="robots.add.fingerprint.hint" latin="true" optional="true"/></div>
+        </div>
+        <div class="if-paired"><t:field name="code" label="robots.add.code" hint="robots.add.code.hint" latin="true" optional="true"/></div>
         <button><fmt:message key="robots.add.submit"/></button>
       </form>
     </article>

@@ -65,7 +65,7 @@ public record AllocationTask(
 
   /** Whether the robot may be one of several. */
   boolean allowsInTeam(Candidate robot) {
-    return robot.isOmnidirectional() || !isForOmnidirectional;
+    return robot.canBeInTeam() && (robot.isOmnidirectional() || !isForOmnidirectional);
   }
 
   /** Seconds, at least 0. */

@@ -14,6 +14,7 @@ import org.toqa.geometry.Vec2;
  * @param parking its parking point, metres, map frame; where it is if it has none
  * @param battery 0 to 1; null where it is not known
  * @param task what it works for; null while {@code availability} is not {@link Availability#BUSY}
+ * @param canBeInTeam whether it can carry a load together with others
  */
 public record Candidate(
     String robot,
@@ -25,7 +26,34 @@ public record Candidate(
     Vec2 parking,
     @Nullable Double battery,
     Availability availability,
-    @Nullable Long task) {
+    @Nullable Long task,
+    boolean canBeInTeam) {
+
+  /** Of one that can carry a load together with others. */
+  public Candidate(
+      String robot,
+      double maxLoad,
+      double diameter,
+      double speed,
+      boolean isOmnidirectional,
+      Vec2 position,
+      Vec2 parking,
+      @Nullable Double battery,
+      Availability availability,
+      @Nullable Long task) {
+    this(
+        robot,
+        maxLoad,
+        diameter,
+        speed,
+        isOmnidirectional,
+        position,
+        parking,
+        battery,
+        availability,
+        task,
+        true);
+  }
 
   Candidate withTask(long task) {
     return with(Availability.BUSY, task);
@@ -46,7 +74,8 @@ public record Candidate(
         parking,
         battery,
         next,
-        nextTask);
+        nextTask,
+        canBeInTeam);
   }
 
   boolean isFree() {

@@ -45,9 +45,16 @@ public final class TeamSize {
 
   /** The least number whose maximum loads add up to it; empty where those of all do not. */
   public static Optional<Integer> smallest(double load, List<Candidate> robots) {
+    if (robots.stream().anyMatch(robot -> robot.maxLoad() >= load - ROUNDING)) {
+      return Optional.of(1);
+    }
     List<Double> strongestFirst =
-        robots.stream().map(Candidate::maxLoad).sorted(Comparator.reverseOrder()).toList();
-    return IntStream.rangeClosed(1, robots.size())
+        robots.stream()
+            .filter(Candidate::canBeInTeam)
+            .map(Candidate::maxLoad)
+            .sorted(Comparator.reverseOrder())
+            .toList();
+    return IntStream.rangeClosed(2, strongestFirst.size())
         .filter(n -> sum(strongestFirst.subList(0, n)) >= load - ROUNDING)
         .boxed()
         .findFirst();

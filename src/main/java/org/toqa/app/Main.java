@@ -13,6 +13,7 @@ import org.toqa.app.config.ConfigurationException;
 import org.toqa.app.demo.DemoCommand;
 import org.toqa.app.gateway.GatewayCommand;
 import org.toqa.app.plan.PlanCommand;
+import org.toqa.app.robot.HttpRobotCommand;
 import org.toqa.app.server.ServerCommand;
 import org.toqa.yaml.Spelling;
 import picocli.CommandLine;
@@ -33,6 +34,7 @@ import picocli.CommandLine.UnmatchedArgumentException;
       DemoCommand.class,
       ServerCommand.class,
       GatewayCommand.class,
+      HttpRobotCommand.class,
       PlanCommand.class,
       BenchCommand.class
     })

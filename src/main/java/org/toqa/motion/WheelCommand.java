@@ -45,7 +45,7 @@ public record WheelCommand(double time, double v, double w, Wheel left, Wheel ri
    * By inverse kinematics; where a wheel would be faster than its limit by rounding, both are
    * slower by the same factor.
    */
-  static WheelCommand of(double time, double v, double w, DifferentialLimits limits) {
+  public static WheelCommand of(double time, double v, double w, DifferentialLimits limits) {
     // vR = (2 v + L w) / 2, vL = (2 v - L w) / 2
     double turning = w * limits.track() / 2;
     double largest = Math.abs(v) + Math.abs(turning);

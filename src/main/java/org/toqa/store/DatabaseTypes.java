@@ -20,6 +20,7 @@ import org.toqa.accounts.Site;
 import org.toqa.fleet.FleetStore.StoredDrive;
 import org.toqa.fleet.Hold;
 import org.toqa.fleet.RobotRecord;
+import org.toqa.link.http.RobotToken;
 import org.toqa.link.trust.Fingerprint;
 import org.toqa.mission.Phase;
 import org.toqa.motion.Trajectory;
@@ -44,6 +45,13 @@ final class DatabaseTypes {
         (row, column, context) -> {
           String hex = row.getString(column);
           return hex == null ? null : new Fingerprint(hex);
+        });
+    jdbi.registerArgument(argument(RobotToken.class, Types.VARCHAR, RobotToken::secret));
+    jdbi.registerColumnMapper(
+        RobotToken.class,
+        (row, column, context) -> {
+          String secret = row.getString(column);
+          return secret == null ? null : new RobotToken(secret);
         });
     jdbi.registerArgument(argument(Phase.class, Types.INTEGER, Phase::number));
     jdbi.registerColumnMapper(

@@ -17,6 +17,7 @@ import org.toqa.fleet.RobotMove;
 import org.toqa.fleet.RobotRecord;
 import org.toqa.fleet.StoredRobot;
 import org.toqa.geometry.Pose;
+import org.toqa.link.http.RobotToken;
 import org.toqa.link.trust.Fingerprint;
 import org.toqa.motion.Trajectory;
 import org.toqa.persistence.StoreException;
@@ -29,7 +30,7 @@ final class RobotTable {
     Map<Long, List<DriveTable.End>> ends = DriveTable.ends(h);
     return h.createQuery(
             """
-            select id, name, floor, host, port, max_load, parking, simulated, fingerprint, gateway,
+            select id, name, floor, host, port, max_load, parking, simulated, fingerprint, gateway, token,
               out_of_service, held, worked_s, charger, charger_since, told_load,
               p.x, p.y, p.theta, p.diameter,
               case when p.robot_id is null or d.seq > p.drive then d.way end as begun
@@ -45,12 +46,12 @@ final class RobotTable {
   static int save(Handle h, RobotRecord robot) {
     return h.createUpdate(
             """
-            insert into robots (name, floor, host, port, max_load, parking, simulated, fingerprint, gateway,
+            insert into robots (name, floor, host, port, max_load, parking, simulated, fingerprint, gateway, token,
               availability, phase, last_seq)
-            values (:name, :floor, :host, :port, :maxLoad, :parking, :simulated, :fingerprint, :gateway, 1, 0, 0)
+            values (:name, :floor, :host, :port, :maxLoad, :parking, :simulated, :fingerprint, :gateway, :token, 1, 0, 0)
             on duplicate key update floor = values(floor), host = values(host), port = values(port),
               max_load = values(max_load), parking = values(parking), simulated = values(simulated),
-              fingerprint = values(fingerprint), gateway = values(gateway),
+              fingerprint = values(fingerprint), gateway = values(gateway), token = values(token),
               out_of_service = case when removed then false else out_of_service end,
               removed = false
             """)
@@ -63,20 +64,23 @@ final class RobotTable {
     String parking = before.parking();
     Fingerprint fingerprint = before.fingerprint();
     String gateway = before.gateway();
+    RobotToken token = before.token();
     return h.createUpdate(
                 """
                 update robots set host = :host, port = :port, max_load = :maxLoad, parking = :parking,
-                  fingerprint = :fingerprint, gateway = :gateway
+                  fingerprint = :fingerprint, gateway = :gateway, token = :token
                 where name = :name and not removed and host = :before.host and port = :before.port
                   and max_load = :before.maxLoad and coalesce(parking, '') = :beforeParking
                   and coalesce(fingerprint, '') = :beforeFingerprint
                   and coalesce(gateway, '') = :beforeGateway
+                  and coalesce(token, '') = :beforeToken
                 """)
             .bindMethods(after)
             .bindMethods("before", before)
             .bind("beforeParking", parking == null ? "" : parking)
             .bind("beforeFingerprint", fingerprint == null ? "" : fingerprint.hex())
             .bind("beforeGateway", gateway == null ? "" : gateway)
+            .bind("beforeToken", token == null ? "" : token.secret())
             .execute()
         == 1;
   }

@@ -30,6 +30,10 @@ class CommandLineTest {
         Arguments.of(List.of("plan", "--bogus"), "\"--bogus\" is not known"),
         Arguments.of(List.of("gateway"), "--config"),
         Arguments.of(List.of("gateway", "--config", "nowhere.yaml"), "there is no such file"),
+        Arguments.of(List.of("http-robot", "--token", "short"), "16 to 128 letters"),
+        Arguments.of(List.of("http-robot", "--slip", "2"), "--slip 2.0: it must be from 0"),
+        Arguments.of(List.of("http-robot", "--tls"), "--tls needs --data"),
+        Arguments.of(List.of("bench", "http", "--robots", "3,0"), "--robots 0: it must be"),
         Arguments.of(List.of("bench", "swim"), "\"swim\" is not known"),
         Arguments.of(
             List.of("bench", "fleet", "--robots", "1"), "--robots 1: it must be from 2 to 500"));

@@ -41,7 +41,8 @@ class ToqaScriptIT {
   }
 
   @ParameterizedTest
-  @ValueSource(strings = {"demo", "server", "agent", "gateway", "plan", "bench", "test"})
+  @ValueSource(
+      strings = {"demo", "server", "agent", "gateway", "http-robot", "plan", "bench", "test"})
   void everyCommandExplainsItself(String command) throws Exception {
     try (ToqaProcess help = ToqaProcess.toqa(folder, command, "--help")) {
       assertEquals(0, help.exitCode(), () -> "it said " + said(help));

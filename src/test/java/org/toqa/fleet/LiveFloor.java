@@ -131,7 +131,8 @@ final class LiveFloor {
               parking.name(),
               true,
               null,
-              gateway));
+              gateway,
+              null));
     }
     links =
         new SteppedLinks(

@@ -14,6 +14,7 @@ import org.toqa.agent.firmware.FrameTransport;
 import org.toqa.agent.firmware.SerialTransport;
 import org.toqa.agent.firmware.SimulatorTransport;
 import org.toqa.agent.firmware.SpidevTransport;
+import org.toqa.agent.http.HttpChassis;
 import org.toqa.avoidance.RangeSensors;
 import org.toqa.geometry.Pose;
 
@@ -38,6 +39,8 @@ final class ChassisFactory {
               body.seed(),
               new RangeSensors(config.footprint() / 2),
               body.surroundings());
+      case ChassisConfig.Http(var robot, var description, var listener) ->
+          HttpChassis.open(robot, description, listener, folder.resolve("odometry"), nanos);
       case ChassisConfig.SimulatedFirmware(var socket, var start, var ranges, var settings) ->
           openFirmware(config, new SimulatorTransport(socket), start, ranges, settings, nanos);
       case ChassisConfig.Spi(var device, var hertz, var wordDelay, var ranges, var settings) ->

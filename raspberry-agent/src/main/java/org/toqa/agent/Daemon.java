@@ -1,6 +1,7 @@
 package org.toqa.agent;
 
 import java.io.IOException;
+import java.time.Duration;
 import java.time.InstantSource;
 import java.util.List;
 import java.util.Optional;
@@ -29,13 +30,14 @@ import org.toqa.link.message.ServerMessage.Command;
 import org.toqa.link.message.ServerMessage.Follow;
 import org.toqa.link.message.ServerMessage.LeaderMessage;
 import org.toqa.link.trust.Fingerprint;
+import org.toqa.link.trust.LinkTls;
 
 /**
  * A robot's daemon: connections, control and body together.
  *
  * <ol>
  *   <li>{@link #open} takes the data folder, finds the body and the journal, and listens.
- *   <li>{@link #tick} is called every {@link Chassis#TICK}, always by one thread: it exchanges
+ *   <li>{@link #tick} is called every {@link Chassis#period}, always by one thread: it exchanges
  *       command and reading with the body, obeys what was received, steers, and reports.
  *   <li>{@link #close}, when no tick is running, ends it in the opposite order.
  * </ol>
@@ -161,6 +163,16 @@ public final class Daemon implements AutoCloseable {
     return config.name();
   }
 
+  /** How often its body is asked and commanded, while it does not stand. */
+  Duration period() {
+    return chassis.period();
+  }
+
+  /** What its end of the link is known by; empty where that is not encrypted. */
+  public Optional<Fingerprint> fingerprint() {
+    return endpoint.tls().map(LinkTls::fingerprint);
+  }
+
   /** The port that it listens on. */
   public int port() {
     return endpoint.port();
@@ -182,7 +194,7 @@ public final class Daemon implements AutoCloseable {
   /**
    * @param listener is run on some thread when something was received that waits for a tick
    */
-  void setMessageListener(Runnable listener) {
+  public void setMessageListener(Runnable listener) {
     connections.setMessageListener(listener);
   }
 

@@ -3,19 +3,17 @@ package org.toqa.agent;
 import org.toqa.agent.chassis.Chassis;
 
 /**
- * When a daemon is ticked: every {@link Chassis#TICK}; a robot at rest less often, and at once when
- * a message comes. Times are nanoseconds on the daemon's monotonic clock. For the thread of the
- * ticks.
+ * When a daemon is ticked: every {@link Chassis#period}; a robot at rest less often, and at once
+ * when a message comes. Times are nanoseconds on the daemon's monotonic clock. For the thread of
+ * the ticks.
  */
 public final class TickSchedule {
-
-  private static final long PERIOD_NANOS = Chassis.TICK.toNanos();
 
   /** Three for each state that it reports, and well below what its microcontroller endures. */
   private static final long AT_REST_PERIOD_NANOS = 66_666_666;
 
   private final Daemon daemon;
-  private long period = PERIOD_NANOS;
+  private long period;
   private long next;
 
   /**
@@ -23,6 +21,7 @@ public final class TickSchedule {
    */
   public TickSchedule(Daemon daemon, long first) {
     this.daemon = daemon;
+    period = daemon.period().toNanos();
     next = first;
   }
 
@@ -39,7 +38,7 @@ public final class TickSchedule {
   public void tick(long now) {
     boolean isCalled = isCalled();
     daemon.tick(now);
-    period = daemon.isAtRest() ? AT_REST_PERIOD_NANOS : PERIOD_NANOS;
+    period = daemon.isAtRest() ? AT_REST_PERIOD_NANOS : daemon.period().toNanos();
     // after a stall the ticks that were missed are not made up for
     next = isCalled || now - next > period ? now + period : next + period;
   }

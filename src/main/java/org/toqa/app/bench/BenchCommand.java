@@ -22,6 +22,7 @@ import picocli.CommandLine.Spec;
       SmoothnessBench.class,
       StartupBench.class,
       DaemonBench.class,
+      HttpBench.class,
       AllocationBench.class,
       FormationBench.class
     })

@@ -71,6 +71,11 @@ enum LeftOut {
       "A real chassis: the body is simulated within the daemon.",
       "A Raspberry Pi: it is measured on this machine.",
       "More than one follower."),
+  HTTP(
+      "Networks: robots and daemons are one process on one machine, and share its processors.",
+      "TLS.",
+      "The fleet: paths are given, and nothing is allocated, planned or stored by a server.",
+      "Real wheels: bodies are simulated, and answer at once."),
   ALLOCATION(
       "Traffic: each robot drives as if it were alone.",
       "Charging, faults and robots that are lost.",

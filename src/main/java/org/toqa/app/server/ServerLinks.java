@@ -43,6 +43,21 @@ final class ServerLinks {
             gateways(configuration.gateways(), tls, parts),
             configuration.plainLinks(),
             configuration.widestRobot());
+    return new HttpRobotLinks(
+        overTcp(links, site, configuration, shared, clock),
+        links,
+        configuration.data().resolve("http-robots"),
+        tls.fingerprint(),
+        configuration.plainLinks(),
+        shared.clock());
+  }
+
+  private static RobotLinkFactory overTcp(
+      RobotLinkFactory links,
+      Site site,
+      Configuration configuration,
+      ServerParts shared,
+      VirtualClock clock) {
     if (!site.isFirst()) {
       return new OtherSiteLinks(links, shared::isSimulated);
     }

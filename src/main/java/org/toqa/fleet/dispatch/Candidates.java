@@ -48,6 +48,7 @@ final class Candidates {
         parking,
         robot.telemetry().battery(),
         availability,
-        availability == Availability.BUSY ? robot.work().task() : null);
+        availability == Availability.BUSY ? robot.work().task() : null,
+        !robot.record().isHttp());
   }
 }

@@ -17,6 +17,7 @@ import org.toqa.fleet.PathAnswer;
 import org.toqa.fleet.PathQuestion;
 import org.toqa.fleet.RobotChange;
 import org.toqa.fleet.RobotOrder;
+import org.toqa.fleet.RobotOrder.HttpAccess;
 import org.toqa.fleet.RobotRecord;
 import org.toqa.fleet.TaskOrder;
 import org.toqa.fleet.TaskOrder.Where;
@@ -216,6 +217,10 @@ final class OrderValidator {
     if (ofGateway.isPresent()) {
       return new Answer.Rejected<>("gateway", ofGateway.get());
     }
+    HttpAccess http = order.http();
+    if (http != null && order.gateway() != null) {
+      return new Answer.Rejected<>("gateway", Phrase.HTTP_NOT_THROUGH_GATEWAY.with());
+    }
     Set<String> taken = takenParking(existing.stream());
     String parking = order.parking();
     if (parking == null) {
@@ -240,8 +245,9 @@ final class OrderValidator {
             order.maxLoad(),
             parking,
             false,
-            null,
-            order.gateway()));
+            http == null ? null : http.fingerprint(),
+            order.gateway(),
+            http == null ? null : http.token()));
   }
 
   Answer<RobotRecord> checkChange(
@@ -249,6 +255,12 @@ final class OrderValidator {
     RobotRecord changed = robot.withChange(change);
     if (robot.simulated() && !changed.address().equals(robot.address())) {
       return new Answer.Rejected<>("host", Phrase.SIMULATED_HAS_NO_ADDRESS.with(robot.name()));
+    }
+    if (!robot.isHttp() && (change.token() != null || change.fingerprint() != null)) {
+      return new Answer.Rejected<>("token", Phrase.HAS_NO_TOKEN.with(robot.name()));
+    }
+    if (robot.isHttp() && change.gateway() != null) {
+      return new Answer.Rejected<>("gateway", Phrase.HTTP_NOT_THROUGH_GATEWAY.with());
     }
     Optional<Sentence> ofGateway = objectionToGateway(change.gateway());
     if (ofGateway.isPresent()) {

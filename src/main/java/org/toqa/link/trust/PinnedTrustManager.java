@@ -6,6 +6,7 @@ import java.security.cert.X509Certificate;
 import javax.net.ssl.SSLEngine;
 import javax.net.ssl.SSLSocket;
 import javax.net.ssl.X509ExtendedTrustManager;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Trusts certificates that it was given, each as it is: no authority, name or date makes another
@@ -49,7 +50,7 @@ final class PinnedTrustManager extends X509ExtendedTrustManager {
   @Override
   public void checkServerTrusted(X509Certificate[] chain, String authType, SSLEngine engine)
       throws CertificateException {
-    throw unsupportedCheck();
+    check(chain, engine.getHandshakeApplicationProtocol());
   }
 
   @Override
@@ -70,10 +71,17 @@ final class PinnedTrustManager extends X509ExtendedTrustManager {
   }
 
   private void check(X509Certificate[] chain, Socket socket) throws CertificateException {
-    if (chain.length == 0 || !(socket instanceof SSLSocket tls)) {
+    if (!(socket instanceof SSLSocket tls)) {
       throw unsupportedCheck();
     }
-    String protocol = tls.getHandshakeApplicationProtocol();
+    check(chain, tls.getHandshakeApplicationProtocol());
+  }
+
+  private void check(X509Certificate[] chain, @Nullable String protocol)
+      throws CertificateException {
+    if (chain.length == 0) {
+      throw unsupportedCheck();
+    }
     Fingerprint peer = Fingerprint.of(chain[0]);
     if (!verifier.isTrusted(peer, protocol == null ? "" : protocol)) {
       throw new UntrustedPeerException("The certificate " + peer + " is not trusted.");

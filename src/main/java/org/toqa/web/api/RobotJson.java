@@ -44,7 +44,8 @@ public record RobotJson(
     @Nullable Double placeError,
     @Nullable Double measuredLoad,
     double sensorRange,
-    @Nullable Double toldLoad) {
+    @Nullable Double toldLoad,
+    String link) {
 
   /** Metres a second forward, radians a second counter-clockwise. */
   private record TwistJson(double v, double w) {
@@ -91,6 +92,7 @@ public record RobotJson(
         seen.readings().placeError(),
         seen.readings().measuredLoad(),
         view.capabilities().sensorRange(),
-        view.capabilities().isLoadKnown() ? view.capabilities().maxLoad() : null);
+        view.capabilities().isLoadKnown() ? view.capabilities().maxLoad() : null,
+        stored.isHttp() ? "http" : "toqa");
   }
 }

@@ -5,6 +5,7 @@ import java.time.Instant;
 import java.time.OffsetDateTime;
 import java.util.EnumSet;
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
 import java.util.Set;
 import java.util.regex.Pattern;
@@ -15,6 +16,8 @@ import org.toqa.accounts.Role;
 import org.toqa.accounts.Scope;
 import org.toqa.accounts.Site;
 import org.toqa.fleet.PartsOrder;
+import org.toqa.link.http.RobotToken;
+import org.toqa.link.trust.Fingerprint;
 import org.toqa.link.trust.PairingCode;
 import org.toqa.mission.TransportTask.LoadSize;
 import org.toqa.telemetry.Topics;
@@ -65,6 +68,9 @@ public final class InputRules {
 
   private static final Pattern HOST =
       Pattern.compile("[A-Za-z0-9:]([A-Za-z0-9.:%_-]*[A-Za-z0-9])?");
+
+  private static final String HTTP = "http";
+  private static final String ROBOT_LINK = "toqa";
 
   private final Texts texts;
   private final FieldErrors errors;
@@ -260,6 +266,40 @@ public final class InputRules {
     if (low != null && high != null && !(low < high)) {
       refuse(field, "error.limits.order");
     }
+  }
+
+  /** Whether a robot takes wheel commands over HTTP; else it speaks the robot link. */
+  public boolean isHttp(String field, @Nullable String link) {
+    boolean isHttp = HTTP.equals(link);
+    if (link != null && !isHttp && !link.equals(ROBOT_LINK)) {
+      refuse(field, "error.link");
+    }
+    return isHttp;
+  }
+
+  /** What a robot wants of the server; null where none is given. */
+  public @Nullable RobotToken robotToken(String field, @Nullable String given) {
+    if (given == null) {
+      return null;
+    }
+    Optional<RobotToken> token = RobotToken.parse(given.strip());
+    if (token.isEmpty()) {
+      refuse(field, "error.robotToken");
+    }
+    return token.orElse(null);
+  }
+
+  /** Of a certificate, with or without colons; null where none is given. */
+  public @Nullable Fingerprint fingerprint(String field, @Nullable String given) {
+    if (given == null) {
+      return null;
+    }
+    Optional<Fingerprint> fingerprint =
+        Fingerprint.parse(given.strip().replace(":", "").toLowerCase(Locale.ROOT));
+    if (fingerprint.isEmpty()) {
+      refuse(field, "error.fingerprint");
+    }
+    return fingerprint.orElse(null);
   }
 
   public String userName(String field, @Nullable String given) {

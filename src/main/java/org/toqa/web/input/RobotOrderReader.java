@@ -3,11 +3,15 @@ package org.toqa.web.input;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.Function;
+import org.jspecify.annotations.Nullable;
 import org.toqa.fleet.PairingOrder;
 import org.toqa.fleet.RobotChange;
 import org.toqa.fleet.RobotMove;
 import org.toqa.fleet.RobotOrder;
+import org.toqa.fleet.RobotOrder.HttpAccess;
 import org.toqa.geometry.Pose;
+import org.toqa.link.http.RobotToken;
+import org.toqa.link.trust.Fingerprint;
 import org.toqa.link.trust.PairingCode;
 
 /**
@@ -28,9 +32,26 @@ public final class RobotOrderReader {
             fields.text("parking"),
             rules.pairingCode("code", fields.text("code")),
             rules.gateway("gateway", fields.text("gateway")),
-            fields.text("floor"));
+            fields.text("floor"),
+            readHttp(fields));
     fields.refuseUnknown();
     return order;
+  }
+
+  /** Null where the robot speaks the robot link; a form has the fields of both. */
+  private static @Nullable HttpAccess readHttp(Fields fields) {
+    InputRules rules = fields.rules();
+    String link = fields.text("link");
+    String token = fields.text("token");
+    String fingerprint = fields.text("fingerprint");
+    boolean isHttp =
+        rules.isHttp("link", link == null && (token != null || fingerprint != null) ? "" : link);
+    if (!isHttp) {
+      return null;
+    }
+    RobotToken read = rules.robotToken("token", token == null ? "" : token);
+    Fingerprint certificate = rules.fingerprint("fingerprint", fingerprint);
+    return read == null ? null : new HttpAccess(read, certificate);
   }
 
   public static RobotChange readChange(Fields fields) {
@@ -41,7 +62,9 @@ public final class RobotOrderReader {
             rules.port("port", fields.number("port")),
             rules.load("maxLoad", fields.number("maxLoad")),
             fields.text("parking"),
-            rules.gateway("gateway", fields.text("gateway")));
+            rules.gateway("gateway", fields.text("gateway")),
+            rules.robotToken("token", fields.text("token")),
+            rules.fingerprint("fingerprint", fields.text("fingerprint")));
     fields.refuseUnknown();
     return change;
   }

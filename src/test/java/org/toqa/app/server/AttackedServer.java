@@ -48,7 +48,7 @@ final class AttackedServer implements AutoCloseable {
   private static final Pattern SECRET_OF_A_PAGE =
       Pattern.compile(
           "name=\"_csrf\" value=\"([^\"]+)|class=\"secret\"[^>]*>([^<]*)"
-              + "|\"(?:token|secret|link)\":\"([^\"]+)");
+              + "|\"(?:token|secret)\":\"([^\"]+)|\"link\":\"([^\"]*secret=[^\"]+)");
 
   /** What people order; what robots do meanwhile is in other columns and tables. */
   private static final List<String> STORED =

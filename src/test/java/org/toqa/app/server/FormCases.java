@@ -122,7 +122,26 @@ final class FormCases {
             "robots",
             "/robots",
             Map.of("name", "Spare", "host", "127.0.0.1", "port", "9", "maxLoad", "5"),
-            refused("name", "host", "port", "maxLoad", "parking", "code", "gateway", "floor")),
+            refused(
+                "name", "host", "port", "maxLoad", "parking", "code", "gateway", "floor", "link")),
+        FormCase.of(
+                "robots",
+                "/robots",
+                Map.of(
+                    "name",
+                    "Absent",
+                    "host",
+                    "127.0.0.1",
+                    "port",
+                    "9",
+                    "maxLoad",
+                    "5",
+                    "link",
+                    "http",
+                    "token",
+                    "0123456789abcdef"),
+                refused("token", "fingerprint"))
+            .answeredWith(422), // that name is taken
         FormCase.of(
                 "robots/Absent",
                 "/robots/{name}/pair",

@@ -102,7 +102,10 @@ final class OrderCases {
                 "/parking", REFUSED,
                 "/code", REFUSED,
                 "/gateway", REFUSED,
-                "/floor", REFUSED),
+                "/floor", REFUSED,
+                "/link", REFUSED,
+                "/token", REFUSED,
+                "/fingerprint", REFUSED),
             201),
         post(
             "robots/{name}/move",
@@ -113,7 +116,12 @@ final class OrderCases {
             "PUT",
             "robots/{name}",
             json("{'host':'127.0.0.2','port':9,'maxLoad':56,'parking':null}"),
-            Map.of("/host", REFUSED, "/parking", REFUSED, "/gateway", REFUSED),
+            Map.of(
+                "/host", REFUSED,
+                "/parking", REFUSED,
+                "/gateway", REFUSED,
+                "/token", REFUSED,
+                "/fingerprint", REFUSED),
             200),
         post(
             "robots/{name}/pair",

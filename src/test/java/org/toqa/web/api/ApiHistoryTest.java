@@ -78,7 +78,9 @@ class ApiHistoryTest extends ApiTestServer {
         .fleet()
         .changeRobots(
             none -> List.of(Hall.robot("r1", RobotState.IDLE, new Pose(1, 1, 0), "h", 7275)));
-    server.store().saveRobot(new RobotRecord("r1", "hall", "h", 7275, 5, null, false, null, null));
+    server
+        .store()
+        .saveRobot(new RobotRecord("r1", "hall", "h", 7275, 5, null, false, null, null, null));
     Instant now = server.fleet().latest().at();
     server
         .tracks()

@@ -1,6 +1,7 @@
 package org.toqa.agent.access;
 
 import java.io.IOException;
+import java.nio.file.Path;
 import java.security.SecureRandom;
 import java.util.Optional;
 import java.util.function.Consumer;
@@ -11,6 +12,7 @@ import org.toqa.link.trust.IdentityFile;
 import org.toqa.link.trust.LinkSocket;
 import org.toqa.link.trust.LinkTls;
 import org.toqa.link.trust.PairingCode;
+import org.toqa.link.trust.PrivateFolder;
 
 /**
  * Where a daemon accepts connections, encrypted or not for as long as it is open: not where the
@@ -70,6 +72,21 @@ public final class LinkEndpoint implements AutoCloseable {
     } catch (IOException e) {
       closeRequestWatcher();
       throw e;
+    }
+  }
+
+  /**
+   * Makes this the only server of the daemon that will be opened on the folder, as pairing would:
+   * for whoever runs both.
+   *
+   * @param folder the daemon's, which no daemon has now
+   * @throws IOException with a sentence for people
+   */
+  public static void pinServer(Path folder, Fingerprint server) throws IOException {
+    PrivateFolder.create(folder);
+    ServerPin pin = new ServerPin(folder);
+    if (!pin.server().equals(Optional.of(server))) {
+      pin.save(server);
     }
   }
 

@@ -15,7 +15,7 @@ import org.toqa.geometry.Twist;
  * thread; the answer is the body as it is now, at the end of what the previous command did.
  */
 public interface Chassis extends AutoCloseable {
-  /** How often the daemon asks and commands. */
+  /** How often the daemon asks and commands, if the body does not say otherwise. */
   Duration TICK = Duration.ofMillis(20);
 
   /** A command older than this stops the wheels. */
@@ -23,6 +23,11 @@ public interface Chassis extends AutoCloseable {
 
   /** How many segments of a path the body has at once, at most. */
   int QUEUE_LENGTH = 16;
+
+  /** How often the daemon asks and commands this one, while it does not stand. */
+  default Duration period() {
+    return TICK;
+  }
 
   /**
    * @param command what to do from now on

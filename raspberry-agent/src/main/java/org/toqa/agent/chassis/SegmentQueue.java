@@ -9,10 +9,11 @@ import org.toqa.geometry.Twist;
 import org.toqa.motion.DriveKind;
 
 /**
- * The segments of one path that a simulated body drives by itself, as the firmware does: the
- * reference runs along what is in the queue, and the body is steered after it by its own odometry.
+ * The segments of one path that a body drives by itself whose wheels can only be told their speeds,
+ * as the firmware does: the reference runs along what is in the queue, and the body is steered
+ * after it by its own odometry.
  */
-final class SegmentQueue {
+public final class SegmentQueue {
 
   private final long path;
   private final SegmentRunner runner;
@@ -23,7 +24,7 @@ final class SegmentQueue {
    *
    * @param kind of the body
    */
-  SegmentQueue(DrivePath order, DriveKind kind) {
+  public SegmentQueue(DrivePath order, DriveKind kind) {
     path = order.number();
     runner =
         new SegmentRunner(
@@ -33,12 +34,12 @@ final class SegmentQueue {
   }
 
   /** The number of its path. */
-  long path() {
+  public long path() {
     return path;
   }
 
   /** Takes what is new of its path. */
-  void take(DrivePath order) {
+  public void take(DrivePath order) {
     onward = order.onward();
     ReferenceTrajectory trajectory = runner.trajectory();
     int known = trajectory.size();
@@ -58,11 +59,12 @@ final class SegmentQueue {
    * @param odometry where the body takes itself to be
    * @return the velocity to turn the wheels for, robot frame
    */
-  Twist steer(Pose odometry, double seconds) {
+  public Twist steer(Pose odometry, double seconds) {
     return runner.steer(odometry, seconds, onward ? 1 : 0);
   }
 
-  PathProgress progress() {
+  /** How far it has come. */
+  public PathProgress progress() {
     ReferenceTrajectory trajectory = runner.trajectory();
     return new PathProgress(
         path,

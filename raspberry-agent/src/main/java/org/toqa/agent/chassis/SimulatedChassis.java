@@ -203,6 +203,22 @@ public final class SimulatedChassis implements Chassis {
     return reading;
   }
 
+  /** Time passes, and no command reaches the body. */
+  public void advance(long nanos) {
+    if (started) {
+      simulate(nanos - lastNanos);
+    }
+    started = true;
+    lastNanos = nanos;
+    file.write(state);
+    surroundings.setTruePose(state.truePose());
+  }
+
+  /** What the counters of its wheels say; they wrap around. */
+  public int[] wheelCounts() {
+    return counts(state.wheelTurns());
+  }
+
   private void take(ChassisCommand command) {
     SegmentQueue driven = queue;
     switch (command) {

@@ -6,6 +6,9 @@ import org.toqa.agent.chassis.SimulatedBattery;
 import org.toqa.agent.chassis.Surroundings;
 import org.toqa.agent.firmware.FirmwareSettings;
 import org.toqa.geometry.Pose;
+import org.toqa.link.http.ExchangeListener;
+import org.toqa.link.http.HttpRobotClient;
+import org.toqa.link.http.RobotDescription;
 import org.toqa.motion.ThreeWheelKinematics;
 
 /** The body under a daemon, as its configuration names it. */
@@ -19,7 +22,7 @@ public sealed interface ChassisConfig {
   /** Whether it may be a body on two wheels: one that this project's firmware does not drive. */
   default boolean canBeOnTwoWheels() {
     return switch (this) {
-      case Simulated _, Serial _ -> true;
+      case Simulated _, Serial _, Http _ -> true;
       case SimulatedFirmware _, Spi _ -> false;
     };
   }
@@ -109,6 +112,17 @@ public sealed interface ChassisConfig {
    * @param settings what was measured of this robot
    */
   record Serial(Path device, int baud, boolean rangeSensors, FirmwareSettings settings)
+      implements ChassisConfig {}
+
+  /**
+   * A body that takes the speeds of its wheels over HTTP. No file names it: the server runs its
+   * daemon.
+   *
+   * @param robot is closed by whoever made it, after the daemon
+   * @param description what it said of itself
+   * @param listener is told of each exchange, in the thread that ticks
+   */
+  record Http(HttpRobotClient robot, RobotDescription description, ExchangeListener listener)
       implements ChassisConfig {}
 
   /**

@@ -4,7 +4,7 @@ import java.io.IOException;
 import java.nio.file.Path;
 
 /** A daemon runs on that folder already. */
-final class DataFolderInUseException extends IOException {
+public final class DataFolderInUseException extends IOException {
   private static final long serialVersionUID = 1;
 
   DataFolderInUseException(Path folder) {

@@ -1,0 +1,149 @@
+package org.toqa.agent.http;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.Optional;
+import org.jspecify.annotations.Nullable;
+import org.toqa.agent.storage.NumberFile;
+import org.toqa.geometry.Pose;
+import org.toqa.geometry.Twist;
+import org.toqa.link.http.RobotDescription;
+import org.toqa.link.http.WheelReport;
+import org.toqa.motion.Odometry;
+import org.toqa.motion.WheelSpeeds;
+
+/**
+ * The odometry of a robot that tells nothing but counts. It is kept in a file, and goes on with
+ * what the wheels have turned while no daemon ran: a robot that was told nothing has come no
+ * farther than it takes to stop. Counts that have jumped by more say nothing of where the robot is,
+ * nor do those that have begun anew: then odometry begins anew, as after a power-up. For one
+ * thread.
+ */
+final class CountedOdometry implements AutoCloseable {
+  private static final int NUMBERS = 7;
+  private static final Pose ORIGIN = new Pose(0, 0, 0);
+
+  /** Wheels may turn faster than was said by this factor before they are not believed. */
+  private static final double FASTER = 1.5;
+
+  /** Metres, for the jitter of the network. */
+  private static final double SLACK = 0.05;
+
+  /** Seconds in which a robot that is told nothing more has stopped, from full speed. */
+  private static final double STOPPED_AFTER = 0.6;
+
+  /** The stamps of the robot's own clock are used where they are about right. */
+  private static final double MOST_CLOCK_ERROR = 4;
+
+  private final NumberFile file;
+  private final RobotDescription body;
+  private Odometry odometry;
+  private long epoch;
+  private long boot;
+  private int[] counts = {0, 0};
+  private Twist twist = Twist.ZERO;
+  private @Nullable WheelReport last;
+  private long lastNanos;
+
+  /** What a report has shown of the counts. */
+  enum Outcome {
+    CONTINUED,
+    BEGUN_ANEW,
+    JUMPED
+  }
+
+  /** Goes on from the file, or begins. */
+  CountedOdometry(Path file, RobotDescription body) throws IOException {
+    this.file = new NumberFile(file, NUMBERS);
+    this.body = body;
+    Optional<double[]> kept = this.file.read();
+    Pose pose = ORIGIN;
+    if (kept.isPresent()) {
+      double[] n = kept.get();
+      epoch = (long) n[0];
+      boot = (long) n[1];
+      pose = new Pose(n[2], n[3], n[4]);
+      counts = new int[] {(int) n[5], (int) n[6]};
+    }
+    odometry = odometryAt(pose);
+  }
+
+  private Odometry odometryAt(Pose pose) {
+    return new Odometry(body.kinematics(), body.countsPerTurn(), pose, counts);
+  }
+
+  /**
+   * @param nanos when the report came, on a monotonic clock
+   */
+  Outcome update(WheelReport report, long nanos) {
+    int[] now = {(int) report.left(), (int) report.right()}; // as counters wrap around
+    double seconds = last == null ? STOPPED_AFTER : (nanos - lastNanos) / 1e9;
+    Outcome outcome = outcome(report, now, seconds);
+    if (outcome == Outcome.CONTINUED) {
+      twist = last == null ? Twist.ZERO : twist(report, last, now, seconds);
+      odometry.update(now);
+      counts = now;
+    } else {
+      epoch++;
+      boot = report.boot();
+      counts = now;
+      twist = Twist.ZERO;
+      odometry = odometryAt(ORIGIN);
+    }
+    last = report;
+    lastNanos = nanos;
+    Pose pose = odometry.pose();
+    file.write(
+        (double) epoch, (double) boot, pose.x(), pose.y(), pose.theta(), counts[0], counts[1]);
+    return outcome;
+  }
+
+  private Outcome outcome(WheelReport report, int[] now, double seconds) {
+    if (epoch == 0 || report.boot() != boot) {
+      return Outcome.BEGUN_ANEW;
+    }
+    double farthest = FASTER * body.maxSpeed() * Math.min(seconds, STOPPED_AFTER) + SLACK;
+    return isWithin(farthest, now[0] - counts[0]) && isWithin(farthest, now[1] - counts[1])
+        ? Outcome.CONTINUED
+        : Outcome.JUMPED;
+  }
+
+  private boolean isWithin(double metres, int counted) {
+    return Math.abs((double) counted) * body.metresPerCount() <= metres;
+  }
+
+  private Twist twist(WheelReport report, WheelReport before, int[] now, double seconds) {
+    double stamped = (report.stamp() - before.stamp()) / 1e3;
+    boolean isAboutRight =
+        stamped > seconds / MOST_CLOCK_ERROR && stamped < seconds * MOST_CLOCK_ERROR;
+    double dt = isAboutRight ? stamped : seconds;
+    if (dt <= 0) {
+      return twist;
+    }
+    return body.kinematics()
+        .twist(
+            WheelSpeeds.of(
+                now.length,
+                wheel -> (now[wheel] - counts[wheel]) * 2 * Math.PI / body.countsPerTurn() / dt));
+  }
+
+  /** Moved since the odometry began, in the frame of the pose that the robot had then. */
+  Pose pose() {
+    return odometry.pose();
+  }
+
+  /** In the robot's frame. */
+  Twist twist() {
+    return twist;
+  }
+
+  /** Another number whenever odometry has begun anew, from 1. */
+  long epoch() {
+    return epoch;
+  }
+
+  @Override
+  public void close() {
+    file.close();
+  }
+}

@@ -1,0 +1,296 @@
+package org.toqa.agent.http;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
+import org.jspecify.annotations.Nullable;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+import org.toqa.agent.chassis.Chassis;
+import org.toqa.agent.chassis.ChassisCommand;
+import org.toqa.agent.chassis.ChassisCommand.DrivePath;
+import org.toqa.agent.chassis.ChassisCommand.MoveAt;
+import org.toqa.agent.chassis.ChassisReading;
+import org.toqa.agent.chassis.SegmentQueue;
+import org.toqa.avoidance.RangeSensors;
+import org.toqa.geometry.Twist;
+import org.toqa.link.http.ExchangeListener;
+import org.toqa.link.http.HttpRobotClient;
+import org.toqa.link.http.HttpRobotException;
+import org.toqa.link.http.HttpRobotException.Reason;
+import org.toqa.link.http.RobotDescription;
+import org.toqa.link.http.WheelOrder;
+import org.toqa.link.http.WheelReport;
+import org.toqa.link.message.AgentMessage.Fault;
+import org.toqa.motion.DifferentialLimits;
+import org.toqa.motion.DriveKind;
+import org.toqa.motion.WheelCommand;
+
+/**
+ * A body on two wheels that takes their speeds over HTTP and answers with their counts. Every 30 ms
+ * (CSM-MAMRS) it is steered along its path by the pose that its answers give. One order is under
+ * way at a time; an answer that is late is waited for in the ticks that follow, and given up in the
+ * end.
+ */
+public final class HttpChassis implements Chassis {
+  private static final Logger log = LoggerFactory.getLogger(HttpChassis.class);
+
+  private static final Duration PERIOD = Duration.ofMillis(Math.round(WheelCommand.SAMPLE * 1000));
+
+  /** Within a tick. */
+  private static final Duration ANSWER_WAIT = Duration.ofMillis(14);
+
+  private static final Duration FIRST_ANSWER_WAIT = Duration.ofSeconds(1);
+
+  /** The robot has stopped by itself then. */
+  private static final long SILENT_NANOS = COMMAND_LIFE_NANOS;
+
+  private static final double LONGEST_STEP_SECONDS = 0.1;
+
+  /** How long what is wrong with counts or numbers is told. */
+  private static final long TELLING_NANOS = 3_000_000_000L;
+
+  private static final Fault JUMPED =
+      new Fault(
+          "WHEEL_COUNTS",
+          "The counts of the robot's wheels have jumped by more than they can turn: nobody knows"
+              + " where it is.");
+
+  private static final Fault CONTESTED =
+      new Fault("OTHER_SERVER", "Another program commands the wheels of this robot too.");
+
+  private static final Fault BLIND =
+      new Fault(
+          "RANGE_SENSORS", "The robot says that it has range sensors, and tells nothing of them.");
+
+  private final HttpRobotClient robot;
+  private final RobotDescription body;
+  private final ExchangeListener listener;
+  private final DifferentialLimits limits;
+  private final CountedOdometry odometry;
+  private WheelReport report;
+  private long seq;
+
+  /** Null while no answer is awaited. */
+  private HttpRobotClient.@Nullable Exchange underWay;
+
+  private long sentNanos;
+  private long answeredNanos;
+  private long lastNanos;
+  private @Nullable HttpRobotException failure;
+  private long jumpedUntil;
+  private long contestedUntil;
+  private Twist velocity = Twist.ZERO;
+
+  /** Null while it drives by a velocity. */
+  private @Nullable SegmentQueue queue;
+
+  /** The number of the last path that it began. */
+  private long lastPath;
+
+  /**
+   * Tells the robot to stand, and takes its first answer.
+   *
+   * @param odometryFile goes on with what is in it
+   * @param nanos now, on the daemon's monotonic clock
+   * @throws IOException the robot does not answer, or the file cannot be used
+   */
+  public static HttpChassis open(
+      HttpRobotClient robot,
+      RobotDescription body,
+      ExchangeListener listener,
+      Path odometryFile,
+      long nanos)
+      throws IOException {
+    WheelOrder stop = WheelOrder.of(body.seq() + 1, command(Twist.ZERO, limitsOf(body)));
+    HttpRobotClient.Exchange first = robot.exchange(stop);
+    if (!first.await(FIRST_ANSWER_WAIT)) {
+      first.cancel();
+    }
+    WheelReport report = first.report();
+    CountedOdometry odometry = new CountedOdometry(odometryFile, body);
+    odometry.update(report, nanos);
+    return new HttpChassis(robot, body, listener, odometry, report, nanos);
+  }
+
+  private HttpChassis(
+      HttpRobotClient robot,
+      RobotDescription body,
+      ExchangeListener listener,
+      CountedOdometry odometry,
+      WheelReport report,
+      long nanos) {
+    this.robot = robot;
+    this.body = body;
+    this.listener = listener;
+    this.limits = limitsOf(body);
+    this.odometry = odometry;
+    this.report = report;
+    seq = report.seq();
+    answeredNanos = nanos;
+    lastNanos = nanos;
+    jumpedUntil = nanos;
+    contestedUntil = nanos;
+  }
+
+  private static DifferentialLimits limitsOf(RobotDescription body) {
+    DifferentialLimits usual = DifferentialLimits.DEFAULT;
+    return new DifferentialLimits(
+        body.maxSpeed(),
+        body.track(),
+        usual.acceleration(),
+        usual.lateralAcceleration(),
+        usual.jerk());
+  }
+
+  private static WheelCommand command(Twist twist, DifferentialLimits limits) {
+    return WheelCommand.of(0, twist.vx(), twist.w(), limits);
+  }
+
+  @Override
+  public Duration period() {
+    return PERIOD;
+  }
+
+  @Override
+  public ChassisReading exchange(ChassisCommand command, long nanos) {
+    double seconds = Math.clamp((nanos - lastNanos) / 1e9, 0, LONGEST_STEP_SECONDS);
+    lastNanos = nanos;
+    awaitAnswer(nanos);
+    take(command);
+    SegmentQueue path = queue;
+    Twist wanted = path == null ? velocity : path.steer(odometry.pose(), seconds);
+    if (underWay == null) {
+      send(wanted, nanos);
+      awaitAnswer(nanos);
+    }
+    return reading(nanos);
+  }
+
+  private void take(ChassisCommand command) {
+    SegmentQueue driven = queue;
+    switch (command) {
+      case MoveAt(Twist wanted) -> {
+        queue = null;
+        velocity = wanted;
+      }
+      case DrivePath path when driven != null && driven.path() == path.number() ->
+          driven.take(path);
+      case DrivePath path when path.number() > lastPath -> {
+        queue = new SegmentQueue(path, DriveKind.DIFFERENTIAL);
+        lastPath = path.number();
+      }
+      case DrivePath _ -> {} // it was dropped
+    }
+  }
+
+  private void send(Twist wanted, long nanos) {
+    seq++;
+    underWay = robot.exchange(WheelOrder.of(seq, command(wanted, limits)));
+    sentNanos = nanos;
+  }
+
+  /** Waits for it a little, and takes it if it is there. */
+  private void awaitAnswer(long nanos) {
+    HttpRobotClient.Exchange exchange = underWay;
+    if (exchange == null) {
+      return;
+    }
+    boolean isDone = exchange.await(ANSWER_WAIT);
+    if (!isDone && nanos - sentNanos < SILENT_NANOS) {
+      return;
+    }
+    underWay = null;
+    try {
+      if (!isDone) {
+        exchange.cancel();
+      }
+      take(exchange.report(), exchange.nanos(), nanos);
+    } catch (HttpRobotException e) {
+      failure = e;
+      listener.failed(e);
+    }
+  }
+
+  private void take(WheelReport answer, long took, long nanos) {
+    report = answer;
+    answeredNanos = nanos;
+    failure = null;
+    listener.answered(took);
+    if (answer.seq() > seq && answer.boot() == body.boot()) {
+      contestedUntil = nanos + TELLING_NANOS;
+    }
+    seq = Math.max(seq, answer.seq());
+    CountedOdometry.Outcome outcome = odometry.update(answer, nanos);
+    if (outcome != CountedOdometry.Outcome.CONTINUED) {
+      queue = null;
+      velocity = Twist.ZERO;
+      log.warn("Counts of a robot over HTTP: {} ({}).", outcome, answer);
+    }
+    if (outcome == CountedOdometry.Outcome.JUMPED) {
+      jumpedUntil = nanos + TELLING_NANOS;
+    }
+  }
+
+  private ChassisReading reading(long nanos) {
+    boolean isSilent = nanos - answeredNanos >= SILENT_NANOS;
+    return new ChassisReading(
+        odometry.epoch(),
+        null,
+        odometry.pose(),
+        isSilent ? Twist.ZERO : odometry.twist(),
+        report.battery() == null ? 1 : report.battery(),
+        ranges(),
+        faults(nanos, isSilent),
+        null, // it has no scale
+        queue == null ? null : queue.progress());
+  }
+
+  private List<Double> ranges() {
+    List<Double> told = report.ranges();
+    return !body.hasRangeSensors() || told == null
+        ? List.of()
+        : told.stream()
+            .map(range -> Math.clamp(range, RangeSensors.NEAREST, RangeSensors.FARTHEST))
+            .toList();
+  }
+
+  private List<Fault> faults(long nanos, boolean isSilent) {
+    List<Fault> faults = new ArrayList<>();
+    if (isSilent) {
+      faults.add(silence());
+    }
+    if (nanos - jumpedUntil < 0) {
+      faults.add(JUMPED);
+    }
+    if (nanos - contestedUntil < 0) {
+      faults.add(CONTESTED);
+    }
+    if (body.hasRangeSensors() && report.ranges() == null) {
+      faults.add(BLIND);
+    }
+    report.errors().forEach(error -> faults.add(new Fault(error.code(), error.text())));
+    return faults;
+  }
+
+  private Fault silence() {
+    HttpRobotException why = failure;
+    return why != null && why.reason() == Reason.NONSENSE
+        ? new Fault("CHASSIS_LINK", "The robot's answers make no sense: " + why.getMessage() + ".")
+        : new Fault(
+            "CHASSIS_SILENT",
+            why == null
+                ? "The robot does not answer its orders."
+                : "The robot does not answer its orders: " + why.getMessage() + ".");
+  }
+
+  @Override
+  public void close() {
+    if (underWay != null) {
+      underWay.cancel();
+    }
+    odometry.close();
+  }
+}

@@ -1,0 +1,148 @@
+package org.toqa.app.robot;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.net.URI;
+import java.net.http.HttpClient;
+import java.net.http.HttpRequest;
+import java.net.http.HttpRequest.BodyPublishers;
+import java.net.http.HttpResponse;
+import java.net.http.HttpResponse.BodyHandlers;
+import java.nio.file.Path;
+import java.time.Duration;
+import java.util.concurrent.TimeUnit;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.toqa.geometry.Pose;
+import org.toqa.link.http.HttpRobotCodec;
+import org.toqa.link.http.RobotToken;
+import org.toqa.link.http.WheelOrder;
+import org.toqa.link.http.WheelReport;
+import org.toqa.motion.DifferentialLimits;
+import org.toqa.motion.WheelCommand;
+
+/** The client robot, asked as docs/http-robot.md says. */
+class SimulatedHttpRobotTest {
+  private static final RobotToken TOKEN = new RobotToken("a-token-of-a-test");
+  private static final DifferentialLimits LIMITS = new DifferentialLimits(0.52, 0.2, 0.5, 0.8, 4);
+
+  @TempDir private Path folder;
+  private final HttpClient http = HttpClient.newHttpClient();
+  private SimulatedHttpRobot robot;
+
+  @BeforeEach
+  void start() throws IOException {
+    robot = new SimulatedHttpRobot(SimulatedHttpRobot.Settings.of(TOKEN, new Pose(0, 0, 0)));
+  }
+
+  @AfterEach
+  void close() {
+    robot.close();
+    http.close();
+  }
+
+  private HttpRequest.Builder request(String path) {
+    return HttpRequest.newBuilder(URI.create("http://127.0.0.1:" + robot.port() + path))
+        .header("Authorization", "Bearer " + TOKEN.secret());
+  }
+
+  private HttpResponse<byte[]> send(HttpRequest.Builder request) throws Exception {
+    return http.send(request.build(), BodyHandlers.ofByteArray());
+  }
+
+  private WheelReport order(long seq, double v, double w) throws Exception {
+    byte[] body = HttpRobotCodec.encode(WheelOrder.of(seq, WheelCommand.of(0, v, w, LIMITS)));
+    HttpResponse<byte[]> answer =
+        send(request("/v1/wheels").POST(BodyPublishers.ofByteArray(body)));
+    assertEquals(200, answer.statusCode());
+    return HttpRobotCodec.decodeReport(answer.body());
+  }
+
+  @Test
+  void whoeverHasNoTokenIsTurnedAway() throws Exception {
+    HttpRequest.Builder without =
+        HttpRequest.newBuilder(URI.create("http://127.0.0.1:" + robot.port() + "/v1/robot"));
+
+    assertEquals(401, send(without).statusCode());
+    assertEquals(401, send(without.header("Authorization", "Bearer another-token")).statusCode());
+  }
+
+  @Test
+  void whatIsNotInTheBookIsRefused() throws Exception {
+    assertEquals(404, send(request("/v1/arms")).statusCode());
+    assertEquals(405, send(request("/v1/wheels")).statusCode());
+    assertEquals(400, send(request("/v1/wheels").POST(BodyPublishers.ofString("{}"))).statusCode());
+  }
+
+  @Test
+  void wheelsCountWhatTheyTurn() throws Exception {
+    WheelReport first = order(1, 0.2, 0);
+    WheelReport later = first;
+    for (long seq = 2; later.left() < 1000; seq++) {
+      later = order(seq, 0.2, 0);
+      TimeUnit.MILLISECONDS.sleep(10);
+    }
+
+    // 2808 counts are a turn of 2 pi 0.04 m
+    double metres = (later.left() - first.left()) * 2 * Math.PI * 0.04 / 2808;
+    assertEquals(metres, robot.truePose().x(), 0.03);
+    assertTrue(later.stamp() > first.stamp());
+  }
+
+  @Test
+  void oldOrderHasNoEffect() throws Exception {
+    order(7, 0, 0);
+
+    WheelReport answer = order(7, 0.4, 0);
+    order(3, 0.4, 0);
+
+    assertEquals(7, answer.seq());
+    assertEquals(0, robot.truePose().x());
+  }
+
+  /** Judged at the body: from 200 ms after the last order on it only brakes. */
+  @Test
+  void silenceStopsTheWheels() throws Exception {
+    for (long seq = 1; robot.truePose().x() < 0.05; seq++) {
+      order(seq, 0.4, 0);
+      TimeUnit.MILLISECONDS.sleep(10);
+    }
+    double atLastOrder = robot.truePose().x();
+    double stopped = atLastOrder;
+    double before;
+    do {
+      before = stopped;
+      TimeUnit.MILLISECONDS.sleep(100);
+      stopped = robot.truePose().x();
+    } while (stopped > before);
+
+    // 0.2 s at 0.4 m/s and some centimetres to brake; the sleeps above are no part of it
+    assertTrue(
+        stopped - atLastOrder < 0.4 * 0.2 + 0.1, "it went on for " + (stopped - atLastOrder));
+    assertTrue(stopped - atLastOrder > 0.04, "it stopped at once");
+  }
+
+  @Test
+  void bodyThatIsKeptGoesOnCounting() throws Exception {
+    SimulatedHttpRobot.Settings usual = SimulatedHttpRobot.Settings.of(TOKEN, new Pose(1, 2, 0));
+    SimulatedHttpRobot.Settings kept =
+        new SimulatedHttpRobot.Settings(
+            usual.address(), 0, TOKEN, null, folder, usual.start(), 0, 0, 1, 5, Duration.ZERO);
+    robot.close();
+    robot = new SimulatedHttpRobot(kept);
+    WheelReport first = order(1, 0.2, 0);
+    TimeUnit.MILLISECONDS.sleep(150);
+    order(2, 0.2, 0);
+    robot.close();
+    robot = new SimulatedHttpRobot(kept);
+
+    WheelReport later = order(1, 0, 0);
+
+    assertEquals(first.boot(), later.boot());
+    assertTrue(later.left() > first.left());
+  }
+}

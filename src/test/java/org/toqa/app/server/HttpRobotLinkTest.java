@@ -1,0 +1,255 @@
+package org.toqa.app.server;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.time.Duration;
+import java.time.InstantSource;
+import java.util.List;
+import java.util.concurrent.Executors;
+import java.util.concurrent.ScheduledExecutorService;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicLong;
+import org.jspecify.annotations.Nullable;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
+import org.toqa.app.robot.SimulatedHttpRobot;
+import org.toqa.app.robot.SimulatedHttpRobot.Fault;
+import org.toqa.geometry.Pose;
+import org.toqa.link.RobotAddress;
+import org.toqa.link.RobotLink;
+import org.toqa.link.RobotLinkFactory;
+import org.toqa.link.TcpRobotLinkFactory;
+import org.toqa.link.http.RobotToken;
+import org.toqa.link.message.AgentMessage.Done;
+import org.toqa.link.message.AgentMessage.Hello;
+import org.toqa.link.message.AgentMessage.Mode;
+import org.toqa.link.message.AgentMessage.State;
+import org.toqa.link.message.ServerMessage.Drive;
+import org.toqa.link.message.ServerMessage.Locate;
+import org.toqa.link.message.ServerMessage.Ping;
+import org.toqa.link.trust.Fingerprint;
+import org.toqa.link.trust.IdentityFile;
+import org.toqa.link.trust.LinkTls;
+import org.toqa.motion.Segment;
+import org.toqa.testbed.LinkRecorder;
+
+/** A robot that takes wheel commands over HTTP, as the fleet sees it through its link. */
+class HttpRobotLinkTest {
+  private static final RobotToken TOKEN = new RobotToken("a-token-of-a-test");
+  private static final Pose START = new Pose(3, 4, 0);
+
+  @TempDir private Path folder;
+  private final LinkRecorder heard = new LinkRecorder();
+  private final AtomicLong seq = new AtomicLong();
+  private final ScheduledExecutorService pings = Executors.newScheduledThreadPool(1);
+  private HttpRobotLinks links;
+  private SimulatedHttpRobot robot;
+  private @Nullable RobotLink link;
+
+  @BeforeEach
+  void start() throws IOException {
+    LinkTls tls = new LinkTls(IdentityFile.open(folder));
+    RobotLinkFactory tcp = new TcpRobotLinkFactory(tls, false);
+    links =
+        new HttpRobotLinks(
+            tcp, tcp, folder.resolve("robots"), tls.fingerprint(), false, InstantSource.system());
+    robot = new SimulatedHttpRobot(settings(0, null));
+  }
+
+  private SimulatedHttpRobot.Settings settings(int port, @Nullable Path body) {
+    SimulatedHttpRobot.Settings usual = SimulatedHttpRobot.Settings.of(TOKEN, START);
+    return new SimulatedHttpRobot.Settings(
+        usual.address(), port, TOKEN, null, body, START, 0.005, 0, 1, 5, Duration.ZERO);
+  }
+
+  @AfterEach
+  void close() throws InterruptedException {
+    pings.shutdownNow();
+    if (link != null) {
+      link.close();
+    }
+    robot.close();
+    awaitNoDaemon();
+  }
+
+  /** Else the folder could not be removed. */
+  private static void awaitNoDaemon() throws InterruptedException {
+    for (Thread thread : Thread.getAllStackTraces().keySet()) {
+      if (thread.getName().equals("http-h1")) {
+        thread.join(20_000);
+      }
+    }
+  }
+
+  private RobotLink connect() {
+    return connect(TOKEN, null);
+  }
+
+  private RobotLink connect(RobotToken token, @Nullable Fingerprint fingerprint) {
+    return connect(robot.port(), token, fingerprint);
+  }
+
+  private RobotLink connect(int port, RobotToken token, @Nullable Fingerprint fingerprint) {
+    RobotLink opened =
+        links.open(new RobotAddress("h1", "127.0.0.1", port, fingerprint, null, token), heard);
+    link = opened;
+    var _ =
+        pings.scheduleAtFixedRate(
+            () -> opened.send(new Ping(seq.incrementAndGet())), 200, 500, TimeUnit.MILLISECONDS);
+    return opened;
+  }
+
+  private void locateAndDrive(RobotLink opened, List<Segment> segments) throws Exception {
+    opened.send(new Locate(seq.incrementAndGet(), START));
+    heard.await(State.class, State::localised);
+    opened.send(new Drive(seq.incrementAndGet(), 5L, 1, START, segments, segments.size(), true, 0));
+  }
+
+  @Test
+  void itDrivesAPathToItsEnd() throws Exception {
+    RobotLink opened = connect();
+
+    Hello hello = heard.await(Hello.class);
+    assertEquals("h1", hello.robot());
+    assertEquals("differential", hello.kind());
+    assertEquals(5, hello.maxLoad());
+    assertFalse(hello.localised());
+    // a metre in the direction that it looks, a quarter turn to the left, and half a metre
+    locateAndDrive(
+        opened,
+        List.of(new Segment(0.25, 0, 4), new Segment(0, Math.PI / 4, 2), new Segment(0.25, 0, 2)));
+    heard.await(Done.class);
+    State end = heard.await(State.class, state -> state.mode() == Mode.IDLE);
+
+    assertEquals(4, end.pose().x(), 0.02);
+    assertEquals(4.5, end.pose().y(), 0.02);
+    assertEquals(4, robot.truePose().x(), 0.05);
+    assertEquals(4.5, robot.truePose().y(), 0.05);
+  }
+
+  @Test
+  void answersThatAreLateDoNotMatter() throws Exception {
+    robot.setDelay(Duration.ofMillis(40));
+    RobotLink opened = connect();
+    heard.await(Hello.class);
+    locateAndDrive(opened, List.of(new Segment(0.25, 0, 4)));
+
+    heard.await(Done.class);
+
+    assertEquals(4, robot.truePose().x(), 0.05);
+  }
+
+  @Test
+  void wrongTokenIsToldWithItsReason() throws Exception {
+    connect(new RobotToken("another-token-of-it"), null);
+
+    String sentence = heard.await(LinkRecorder.Refusal.class).sentence();
+
+    assertTrue(sentence.contains("does not accept this server’s token"), sentence);
+    assertFalse(sentence.contains("another-token-of-it"));
+  }
+
+  @Test
+  void nobodyAtThatAddressIsTold() throws Exception {
+    int port = robot.port();
+    robot.close();
+    robot = new SimulatedHttpRobot(settings(0, null));
+    connect(port, TOKEN, null);
+
+    String sentence = heard.await(LinkRecorder.End.class).sentence();
+
+    assertTrue(sentence.contains("127.0.0.1:" + port), sentence);
+  }
+
+  /** The robot stands by its own silence rule, and the reason is told; then it goes on. */
+  @ParameterizedTest
+  @EnumSource(names = {"SILENT", "NONSENSE", "TOO_LONG", "WRONG_RANGES", "BROKEN"})
+  void robotWhoseAnswersAreNoneStandsAndIsLostWithTheReason(Fault fault) throws Exception {
+    RobotLink opened = connect();
+    heard.await(Hello.class);
+    locateAndDrive(opened, List.of(new Segment(0.25, 0, 40)));
+    heard.await(State.class, state -> state.pose().x() > START.x() + 0.1);
+
+    robot.setFault(fault);
+    State wrong = heard.await(State.class, state -> state.mode() == Mode.ERROR);
+    String sentence = heard.await(LinkRecorder.End.class).sentence();
+
+    assertTrue(wrong.errors().getFirst().code().startsWith("CHASSIS_"), wrong.toString());
+    assertTrue(
+        sentence.contains(
+            switch (fault) {
+              case NONSENSE -> "it is not JSON";
+              case TOO_LONG -> "it is longer than 16384 bytes";
+              case WRONG_RANGES -> "ranges must be three numbers";
+              case BROKEN -> "the status 500";
+              default -> "does not answer";
+            }),
+        sentence);
+    double stopped = robot.truePose().x();
+    robot.setFault(Fault.NONE);
+    Hello again = heard.await(Hello.class);
+    assertEquals(0, again.drive());
+    assertEquals(5L, again.task());
+    assertTrue(again.localised(), "its counts have gone on");
+    assertEquals(stopped, robot.truePose().x(), 0.001); // it waits for a new drive
+    assertEquals(robot.truePose().x(), again.pose().x(), 0.02);
+  }
+
+  @Test
+  void countsThatJumpAreNotBelieved() throws Exception {
+    RobotLink opened = connect();
+    heard.await(Hello.class);
+    opened.send(new Locate(seq.incrementAndGet(), START));
+    heard.await(State.class, State::localised);
+
+    robot.setFault(Fault.JUMPED_COUNTS);
+
+    State lied = heard.await(State.class, state -> state.mode() == Mode.ERROR);
+    assertFalse(lied.localised());
+    assertEquals("WHEEL_COUNTS", lied.errors().getFirst().code());
+  }
+
+  @Test
+  void robotThatWasSwitchedOffDoesNotKnowWhereItIs() throws Exception {
+    int port = robot.port();
+    RobotLink opened = connect();
+    heard.await(Hello.class);
+    opened.send(new Locate(seq.incrementAndGet(), START));
+    heard.await(State.class, State::localised);
+
+    robot.close();
+    heard.await(LinkRecorder.End.class);
+    robot = new SimulatedHttpRobot(settings(port, null));
+
+    assertFalse(heard.await(Hello.class).localised());
+  }
+
+  @Test
+  void encryptedRobotIsKnownByItsFingerprint() throws Exception {
+    var identity = IdentityFile.open(Files.createDirectory(folder.resolve("key")));
+    SimulatedHttpRobot.Settings usual = settings(0, null);
+    robot.close();
+    robot =
+        new SimulatedHttpRobot(
+            new SimulatedHttpRobot.Settings(
+                usual.address(), 0, TOKEN, identity, null, START, 0, 0, 1, 5, Duration.ZERO));
+    RobotLink distrustful = connect(TOKEN, new Fingerprint("0".repeat(64)));
+    String sentence = heard.await(LinkRecorder.Refusal.class).sentence();
+    assertTrue(sentence.contains("another certificate"), sentence);
+    distrustful.close();
+    awaitNoDaemon();
+
+    connect(TOKEN, identity.fingerprint());
+
+    assertEquals("h1", heard.await(Hello.class).robot());
+  }
+}
