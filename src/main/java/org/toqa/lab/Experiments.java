@@ -3,10 +3,12 @@ package org.toqa.lab;
 import java.util.List;
 import java.util.Optional;
 import org.toqa.lab.experiment.Experiment;
+import org.toqa.lab.fouragents.GeneratedScenes;
+import org.toqa.lab.fouragents.PublishedScenes;
 
 /** The experiments that there are, in the order of their names. */
 public final class Experiments {
-  private static final List<Experiment> ALL = List.of();
+  private static final List<Experiment> ALL = List.of(new PublishedScenes(), new GeneratedScenes());
 
   private Experiments() {}
 

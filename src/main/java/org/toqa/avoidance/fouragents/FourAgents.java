@@ -104,6 +104,25 @@ public final class FourAgents {
         utilities);
   }
 
+  /**
+   * What navigation alone would do.
+   *
+   * @param distance metres to the target
+   * @param angle radians from the heading to the target, counter-clockwise, in (-pi, pi]
+   */
+  public WheelVelocities towardTarget(double distance, double angle) {
+    return navigation.velocities(distance, angle);
+  }
+
+  /**
+   * What dynamic avoidance alone would do.
+   *
+   * @param ranges metres from the rim, one a sensor of {@link RangeRing}
+   */
+  public WheelVelocities awayFrom(List<Double> ranges) {
+    return dynamicAvoidance.velocities(ranges);
+  }
+
   /** Rules of the navigation controller. */
   int navigationRules() {
     return navigation.ruleCount();

@@ -20,7 +20,7 @@ import org.toqa.geometry.Vec2;
  * @param convergence mu Rc^2, above 0: how fast trajectories come to the circle
  * @param isClockwise which way round
  */
-record LimitCycle(double radius, double convergence, boolean isClockwise) {
+public record LimitCycle(double radius, double convergence, boolean isClockwise) {
 
   /**
    * The field's velocity at a point.
@@ -28,7 +28,7 @@ record LimitCycle(double radius, double convergence, boolean isClockwise) {
    * @param at metres from the centre, in a frame of any heading
    * @return in the same frame, per unit of the field's time
    */
-  Vec2 velocity(Vec2 at) {
+  public Vec2 velocity(Vec2 at) {
     double pull = pull(at);
     double turn = isClockwise ? 1 : -1;
     return new Vec2(turn * at.y() + pull * at.x(), -turn * at.x() + pull * at.y());
@@ -40,7 +40,7 @@ record LimitCycle(double radius, double convergence, boolean isClockwise) {
   }
 
   /** Curvature of the trajectory through a point, radians a metre, positive to the left. */
-  double curvature(Vec2 at) {
+  public double curvature(Vec2 at) {
     // f' along the trajectory: J f, with J the field's derivative by the place
     Vec2 f = velocity(at);
     double pull = pull(at);
