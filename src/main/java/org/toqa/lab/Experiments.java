@@ -5,10 +5,12 @@ import java.util.Optional;
 import org.toqa.lab.experiment.Experiment;
 import org.toqa.lab.fouragents.GeneratedScenes;
 import org.toqa.lab.fouragents.PublishedScenes;
+import org.toqa.lab.swarm.SwarmLimits;
+import org.toqa.lab.swarm.SwarmSweep;
 
 /** The experiments that there are, in the order of their names. */
 public final class Experiments {
-  private static final List<Experiment> ALL = List.of(new PublishedScenes(), new GeneratedScenes());
+  private static final List<Experiment> ALL = List.of(new PublishedScenes(), new GeneratedScenes(), new SwarmSweep(), new SwarmLimits());
 
   private Experiments() {}
 
