@@ -16,13 +16,25 @@ import org.toqa.geometry.Twist;
  * line. The seed has k = 1, in whatever unit; vr ye is an area by time, so k is a parameter here. s
  * is within the boundary layer after at most (1/Q) ln((Q |s0| + P) / (Q boundary + P)) seconds.
  *
- * @param reaching Q, 1/s
- * @param switching P, metres a second for s1, radians a second for s2
- * @param boundary metres for s1, radians for s2: within it the law is linear, which limits
- *     chattering
+ * @param along of s1, metres
+ * @param turning of s2, radians
  * @param cross k, s/m^2
  */
-record SlidingMode(double reaching, double switching, double boundary, double cross) {
+record SlidingMode(Reaching along, Reaching turning, double cross) {
+
+  /**
+   * How a surface is reached: {@code s' = -Q s - P sat(s / boundary)}.
+   *
+   * @param gain Q, 1/s
+   * @param switching P, units of s a second
+   * @param boundary units of s: within it the law is linear, which limits chattering
+   */
+  record Reaching(double gain, double switching, double boundary) {
+    // Q s + P sat(s / boundary)
+    double rate(double s) {
+      return gain * s + switching * Math.clamp(s / boundary, -1, 1);
+    }
+  }
 
   /**
    * What is tracked at a moment.
@@ -59,17 +71,12 @@ record SlidingMode(double reaching, double switching, double boundary, double cr
     // d atan(k vr ye) = g ye',  g = k vr / (1 + (k vr ye)^2)
     double inside = cross * vr * error.y();
     double g = cross * vr / (1 + inside * inside);
-    // s2' = wr - w + g (-w xe + vr sin the) = -reach(s2)
-    double wanted = reference.turnRate() + g * vr * Math.sin(error.theta()) + reach(s.s2());
+    // s2' = wr - w + g (-w xe + vr sin the) = -rate(s2)
+    double wanted = reference.turnRate() + g * vr * Math.sin(error.theta()) + turning.rate(s.s2());
     double factor = 1 + g * error.x();
     double w = wanted / (Math.abs(factor) < 0.2 ? Math.copySign(0.2, factor) : factor);
-    // s1' = w ye - v + vr cos the = -reach(s1)
-    double v = w * error.y() + vr * Math.cos(error.theta()) + reach(s.s1());
+    // s1' = w ye - v + vr cos the = -rate(s1)
+    double v = w * error.y() + vr * Math.cos(error.theta()) + along.rate(s.s1());
     return new Twist(v, 0, w);
-  }
-
-  // Q s + P sat(s / boundary)
-  double reach(double s) {
-    return reaching * s + switching * Math.clamp(s / boundary, -1, 1);
   }
 }

@@ -12,7 +12,8 @@ import org.toqa.geometry.Vec2;
  * The static avoidance agent: round a known obstacle on a limit cycle ({@link LimitCycle}), which it
  * tracks by sliding mode ({@link SlidingMode}).
  *
- * <p>The convergence circle has Rc = obstacle + robot + margin, less where the target is nearer. The
+ * <p>The convergence circle has Rc = obstacle + robot + margin, less where the target is nearer, or
+ * where half the margin on each side is left between two obstacles. The
  * direction is chosen where an obstacle is met, by the sign of the robot's y in a frame at the
  * circle's centre turned toward the target: above 0 clockwise, else counter-clockwise, the shorter
  * way round. Obstacles whose circles meet are gone round as one, always by the circle that is
@@ -36,13 +37,15 @@ final class StaticAvoidance {
   StaticAvoidance(FourAgentsSettings settings) {
     this.settings = settings;
     DifferentialBody body = settings.body();
-    // lengths by the margin, times by what the robot drives in them
-    double time = settings.margin() / body.wheelSpeed();
+    // lengths by the margin; a turn at half the rate that the wheels can for a radian
+    double most = 2 * body.wheelSpeed() / body.track();
     this.tracker =
         new SlidingMode(
-            0.5 / time,
-            0.2 * body.wheelSpeed(),
-            0.25 * settings.margin(),
+            new SlidingMode.Reaching(
+                0.5 * body.wheelSpeed() / settings.margin(),
+                0.2 * body.wheelSpeed(),
+                0.25 * settings.margin()),
+            new SlidingMode.Reaching(2 * most, 0.1 * most, 0.1),
             1 / (body.wheelSpeed() * settings.margin()));
   }
 
@@ -52,7 +55,8 @@ final class StaticAvoidance {
    * @param outside metres from the circle to the robot, negative inside
    * @param isInTheWay whether the line to the target meets its circle
    */
-  private record Circle(Vec2 centre, double radius, double outside, boolean isInTheWay) {
+  private record Circle(
+      Vec2 centre, double radius, double outside, boolean isInTheWay) {
     boolean meets(Circle other) {
       return centre.distanceTo(other.centre) < radius + other.radius;
     }
@@ -73,7 +77,9 @@ final class StaticAvoidance {
   Optional<Threat> threat(
       Vec2 robot, Vec2 target, List<StaticObstacle> obstacles, boolean isDriving) {
     List<Circle> circles =
-        obstacles.stream().map(o -> circle(robot, target, o, isDriving)).toList();
+        obstacles.stream()
+            .map(o -> circle(robot, target, o, air(o, obstacles), isDriving))
+            .toList();
     Optional<Circle> nearest = Optional.empty();
     for (List<Circle> cluster : clusters(circles)) {
       if (cluster.stream().anyMatch(Circle::isInTheWay)) {
@@ -93,11 +99,28 @@ final class StaticAvoidance {
                     c.outside(), settings.approach(), settings.margin())));
   }
 
-  private Circle circle(Vec2 robot, Vec2 target, StaticObstacle obstacle, boolean isDriving) {
-    double touching = obstacle.radius() + settings.body().radius();
+  private double touching(StaticObstacle obstacle) {
+    return obstacle.radius() + settings.body().radius();
+  }
+
+  /** The margin of an obstacle: half the gap to another, where that leaves half of it. */
+  private double air(StaticObstacle obstacle, List<StaticObstacle> obstacles) {
+    double air = settings.margin();
+    for (StaticObstacle other : obstacles) {
+      double gap =
+          obstacle.centre().distanceTo(other.centre()) - touching(obstacle) - touching(other);
+      if (!other.equals(obstacle) && gap >= settings.margin()) {
+        air = Math.min(air, gap / 2);
+      }
+    }
+    return air;
+  }
+
+  private Circle circle(
+      Vec2 robot, Vec2 target, StaticObstacle obstacle, double air, boolean isDriving) {
+    double touching = touching(obstacle);
     double toTarget = obstacle.centre().distanceTo(target);
-    double radius =
-        Math.max(touching + SMALL, Math.min(touching + settings.margin(), toTarget - SMALL));
+    double radius = Math.max(touching + SMALL, Math.min(touching + air, toTarget - SMALL));
     Vec2 inward = obstacle.centre().minus(robot);
     Vec2 ahead = target.minus(robot);
     boolean isAhead = inward.x() * ahead.x() + inward.y() * ahead.y() > 0;

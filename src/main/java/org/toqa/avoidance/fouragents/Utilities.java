@@ -12,7 +12,7 @@ import java.util.List;
 public record Utilities(double navigation, double staticAvoidance, double dynamicAvoidance) {
 
   /** Radians from the heading, up to which an obstacle counts as ahead in full. */
-  private static final double AHEAD = Math.toRadians(45);
+  private static final double AHEAD = Math.toRadians(90);
 
   public double of(DrivingAgent agent) {
     return switch (agent) {
@@ -63,7 +63,7 @@ public record Utilities(double navigation, double staticAvoidance, double dynami
 
   /**
    * Of dynamic avoidance: the largest over the sensors of distance utility (0 from the dangerous
-   * zone outward, 1 from its half inward) times angle utility (1 up to 45 degrees, 0 behind).
+   * zone outward, 1 from its half inward) times angle utility (1 up to 90 degrees, 0 behind).
    */
   static double dynamicAvoidance(List<Double> unknown, double danger) {
     double most = 0;

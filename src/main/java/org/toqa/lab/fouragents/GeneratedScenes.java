@@ -4,7 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
-import java.util.Random;
+import java.util.SplittableRandom;
 import org.toqa.avoidance.fouragents.FourAgentsSettings;
 import org.toqa.lab.drawing.Drawing;
 import org.toqa.lab.experiment.Experiment;
@@ -61,8 +61,11 @@ public final class GeneratedScenes implements Experiment {
     List<SceneGenerator.Solvable> solvable = new ArrayList<>();
     SceneGenerator generator = generator();
     for (int i = 0; i < scenes; i++) {
-      run.progress(0.4 * i / scenes, "scene " + (i + 1) + " of " + scenes);
-      solvable.add(generator.next("scene-" + (i + 1), new Random(run.seed() * 1_000_003 + i)));
+      if (i % 20 == 0) {
+        run.progress(0.4 * i / scenes, "scene " + (i + 1) + " of " + scenes);
+      }
+      run.checkStopped();
+      solvable.add(generator.next("scene-" + (i + 1), new SplittableRandom(run.seed() * 1_000_003 + i)));
     }
     List<Drive> drives = drive(solvable, run);
     List<Figure> figures = new ArrayList<>();
@@ -110,7 +113,7 @@ public final class GeneratedScenes implements Experiment {
     List<Drive> drives = new ArrayList<>();
     for (int i = 0; i < scenes.size(); i++) {
       run.checkStopped();
-      Random random = new Random(run.seed() * 7_000_003 + i);
+      SplittableRandom random = new SplittableRandom(run.seed() * 7_000_003 + i);
       double noise = run.value(AvoidanceParameters.NOISE);
       drives.add(
           new Drive(
@@ -148,7 +151,8 @@ public final class GeneratedScenes implements Experiment {
   }
 
   private static double ratio(Drive drive) {
-    return drive.result().metres() / drive.solvable().shortest();
+    double left = drive.result().track().getLast().distanceTo(drive.solvable().scene().target());
+    return (drive.result().metres() + left) / drive.solvable().shortest();
   }
 
   private static String count(List<Drive> drives, SceneDrive.End end) {

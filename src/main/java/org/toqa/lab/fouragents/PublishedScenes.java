@@ -4,7 +4,7 @@ import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
 import java.util.Locale;
-import java.util.Random;
+import java.util.SplittableRandom;
 import org.toqa.avoidance.fouragents.DrivingAgent;
 import org.toqa.avoidance.fouragents.FourAgents;
 import org.toqa.avoidance.fouragents.FourAgentsSettings;
@@ -115,7 +115,7 @@ public final class PublishedScenes implements Experiment {
     List<SceneDrive.Result> results = new ArrayList<>();
     for (int i = 0; i < DRIVES * run.runs(); i++) {
       run.checkStopped();
-      Random random = new Random(run.seedOf(i));
+      SplittableRandom random = new SplittableRandom(run.seedOf(i));
       results.add(
           new SceneDrive(scene, settings, run.value(AvoidanceParameters.NOISE), random).run());
     }
@@ -137,7 +137,7 @@ public final class PublishedScenes implements Experiment {
       String name, List<SceneDrive.Result> results, double shortest, FourAgentsSettings settings) {
     List<SceneDrive.Result> arrived =
         results.stream().filter(SceneDrive.Result::isReached).toList();
-    double length = Medians.of(arrived, SceneDrive.Result::metres);
+    double length = Medians.of(arrived, r -> r.metres() + SceneDrive.THERE);
     return List.of(
         name,
         arrived.size() + " of " + results.size(),
@@ -183,7 +183,7 @@ public final class PublishedScenes implements Experiment {
   }
 
   private static int switches(ObstacleScene scene, FourAgentsSettings settings, Run run) {
-    return new SceneDrive(scene, settings, 0, new Random(run.seed())).run().switches();
+    return new SceneDrive(scene, settings, 0, new SplittableRandom(run.seed())).run().switches();
   }
 
   /** Where a robot was, and what was there. */

@@ -28,7 +28,7 @@ final class SceneDrive {
   private static final double CONE = Math.toRadians(10);
 
   /** Metres from the target that are there. */
-  private static final double THERE = 0.01;
+  static final double THERE = 0.01;
 
   /** Metres a second; a robot that is slower stands. */
   private static final double STANDING = 0.002;

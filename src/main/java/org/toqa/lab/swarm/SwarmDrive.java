@@ -25,11 +25,14 @@ final class SwarmDrive {
   /** Directions in which a robot feels for what is near it. */
   private static final int FEELERS = 8;
 
+  /** Radians between a lidar's rays, at most. */
+  private static final double BETWEEN_RAYS = Math.toRadians(10);
+
   /** Metres between two points of the track that is drawn. */
-  private static final double TRACK = 5;
+  private static final double TRACK = 10;
 
   /** A drive ends when it has become longer than the straight line, so many times. */
-  private static final double LONGEST = 12;
+  private static final double LONGEST = 8;
 
   private final SwarmMap map;
   private final SwarmSetup setup;
@@ -136,10 +139,11 @@ final class SwarmDrive {
     }
     Vec2 from = robots.get(observer.getAsInt()).position();
     double nearest = setup.lidarRange();
-    for (int i = -1; i <= 1; i++) {
+    int rays = (int) Math.ceil(setup.view() / BETWEEN_RAYS);
+    for (int i = -rays; i <= rays; i++) {
+      double aside = rays == 0 ? 0 : setup.view() * i / rays;
       nearest =
-          Math.min(
-              nearest, RayCast.distance(now.grid(), from, direction + i * setup.fan(), nearest));
+          Math.min(nearest, RayCast.distance(now.grid(), from, direction + aside, nearest));
     }
     double noise = setup.rangeNoise();
     double read = noise > 0 ? nearest * (1 + noise * random.nextGaussian()) : nearest;

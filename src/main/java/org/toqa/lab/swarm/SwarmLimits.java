@@ -2,7 +2,7 @@ package org.toqa.lab.swarm;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Random;
+import java.util.SplittableRandom;
 import org.toqa.formation.swarm.SwarmLaw;
 import org.toqa.geometry.Vec2;
 import org.toqa.lab.drawing.Chart;
@@ -127,7 +127,7 @@ public final class SwarmLimits implements Experiment {
       for (double speed : SPEEDS) {
         for (int i = 0; i < DRIVES * run.runs(); i++) {
           run.checkStopped();
-          Random random = new Random(run.seedOf(i) * 1_000_003 + (long) (speed * 10));
+          SplittableRandom random = new SplittableRandom(run.seedOf(i) * 1_000_003 + (long) (speed * 10));
           results.add(new SwarmDrive(one, setup, law, speed, random).run());
         }
       }
@@ -172,7 +172,7 @@ public final class SwarmLimits implements Experiment {
   private static Chart.Series series(String name, SwarmSetup setup, Run run) {
     SwarmLaw law = SwarmLaw.published(Math.toRadians(TURN));
     SwarmDrive.Result result =
-        new SwarmDrive(SwarmMap.named("simple"), setup, law, 1, new Random(run.seed())).run();
+        new SwarmDrive(SwarmMap.named("simple"), setup, law, 1, new SplittableRandom(run.seed())).run();
     List<Chart.Point> points = new ArrayList<>();
     double driven = 0;
     List<Vec2> track = result.track();

@@ -17,14 +17,14 @@ import org.toqa.lab.drawing.Scene;
 import org.toqa.planning.exact.ShortestDiscPath;
 
 /**
- * A map for a swarm: squares of 10 m, a start at the left and a target at the right, obstacles
+ * A map for a swarm: squares of 20 m, a start at the left and a target at the right, obstacles
  * between them with several ways, of which the shortest is narrow. The paper's maps are pictures
- * that are lost; a metre of ours is a point of such a picture.
+ * that are lost, without a scale.
  */
 record SwarmMap(String name, OccupancyGrid grid) {
-  static final double CELL = 10;
-  static final Vec2 START = new Vec2(90, 300);
-  static final Vec2 TARGET = new Vec2(920, 300);
+  static final double CELL = 20;
+  static final Vec2 START = new Vec2(180, 600);
+  static final Vec2 TARGET = new Vec2(1840, 600);
 
   /** Lines before the rows. */
   private static final int HEADER = 4;

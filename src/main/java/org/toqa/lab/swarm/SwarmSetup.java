@@ -13,7 +13,8 @@ import org.toqa.lab.experiment.Run;
  * @param robotRadius metres
  * @param lidarRange metres from the robot's middle
  * @param outward radians that the side lidars look outward
- * @param fan radians between a lidar's three rays
+ * @param view radians that a lidar sees to either side of where it looks
+ * @param apart metres between neighbours in the shape: whole squares of the maps
  * @param targetRadius metres from the target within which the leader is there
  * @param delay steps by which what the observers see is late
  * @param rangeNoise standard deviation of ranges, a share
@@ -26,7 +27,8 @@ record SwarmSetup(
     double robotRadius,
     double lidarRange,
     double outward,
-    double fan,
+    double view,
+    double apart,
     double targetRadius,
     int delay,
     double rangeNoise,
@@ -38,39 +40,40 @@ record SwarmSetup(
   /** Robots in a row of the square that they form; nine as published. */
   private static final int ROW = 3;
 
-  /** Metres between neighbours: whole squares of the maps. */
-  private static final double APART = 30;
-
   /** An obstacle that is there as soon as the leader is beyond this, metres from the left. */
-  static final double CHANGE_AT = 420;
+  static final double CHANGE_AT = 840;
 
-  private static final Vec2 CHANGE_LEAST = new Vec2(560, 260);
-  private static final Vec2 CHANGE_MOST = new Vec2(580, 340);
+  private static final Vec2 CHANGE_LEAST = new Vec2(1120, 520);
+  private static final Vec2 CHANGE_MOST = new Vec2(1160, 680);
 
   static final Parameter LIDAR_RANGE =
       new Parameter(
           "lidar-range",
-          150,
+          120,
           20,
           500,
           "m",
-          "how far a lidar sees; taken from the published limit: at w = 1 degree a swarm turns on"
-              + " 57 v, which fits in it up to v = 2.6 m/s");
+          "how far a lidar sees; chosen with the scale of the maps so that on the simple one, with"
+              + " w = 1, all arrive below 2 m/s as published");
 
   static final Parameter ROBOT_RADIUS =
-      new Parameter("robot-radius", 5, 1, 14, "m", "half a robot's width; the maps are in points");
+      new Parameter("robot-radius", 6, 1, 19, "m", "half a robot's width");
 
   static final Parameter OUTWARD =
       new Parameter("outward", 20, 0, 60, "degrees", "that the side lidars look outward");
 
-  static final Parameter FAN =
-      new Parameter("fan", 10, 0, 30, "degrees", "between the three rays of a lidar");
+  static final Parameter VIEW =
+      new Parameter(
+          "view", 30, 0, 90, "degrees", "that a lidar sees to either side of where it looks");
+
+  static final Parameter APART =
+      new Parameter("apart", 40, 40, 100, "m", "between neighbours in the shape; twenties");
 
   static final Parameter TARGET_RADIUS =
-      new Parameter("target-radius", 30, 5, 80, "m", "from the target that counts as there");
+      new Parameter("target-radius", 60, 5, 160, "m", "from the target that counts as there");
 
   static final List<Parameter> PARAMETERS =
-      List.of(LIDAR_RANGE, ROBOT_RADIUS, OUTWARD, FAN, TARGET_RADIUS);
+      List.of(LIDAR_RANGE, ROBOT_RADIUS, OUTWARD, VIEW, APART, TARGET_RADIUS);
 
   /** As published, with the run's values for what is not. */
   static SwarmSetup of(Run run) {
@@ -78,7 +81,8 @@ record SwarmSetup(
         run.value(ROBOT_RADIUS),
         run.value(LIDAR_RANGE),
         Math.toRadians(run.value(OUTWARD)),
-        Math.toRadians(run.value(FAN)),
+        Math.toRadians(run.value(VIEW)),
+        SwarmMap.CELL * Math.rint(run.value(APART) / SwarmMap.CELL),
         run.value(TARGET_RADIUS),
         0,
         0,
@@ -91,14 +95,14 @@ record SwarmSetup(
   /** The same with what the paper names as its limits. */
   SwarmSetup under(int steps, double ranges, double actuators, boolean change) {
     return new SwarmSetup(
-        robotRadius, lidarRange, outward, fan, targetRadius, steps, ranges, actuators, change,
+        robotRadius, lidarRange, outward, view, apart, targetRadius, steps, ranges, actuators, change,
         keeping, hasMemory);
   }
 
   /** The same with what removes them. */
   SwarmSetup extended() {
     return new SwarmSetup(
-        robotRadius, lidarRange, outward, fan, targetRadius, delay, rangeNoise, actuatorNoise,
+        robotRadius, lidarRange, outward, view, apart, targetRadius, delay, rangeNoise, actuatorNoise,
         isChanging, new ShapeKeeping(0.2, 0.5, 2 * robotRadius), true);
   }
 
@@ -106,7 +110,7 @@ record SwarmSetup(
   List<Vec2> places() {
     List<Vec2> places = new ArrayList<>();
     for (int i = 0; i < ROW * ROW; i++) {
-      places.add(new Vec2((i / ROW - 1) * APART, (i % ROW - 1) * APART));
+      places.add(new Vec2((i / ROW - 1) * apart, (i % ROW - 1) * apart));
     }
     return places;
   }

@@ -76,7 +76,8 @@ class StaticAvoidancePropertyTest {
     double q = 3;
     double p = 0.2;
     double boundary = 0.01;
-    SlidingMode law = new SlidingMode(q, p, boundary, 100);
+    SlidingMode.Reaching reaching = new SlidingMode.Reaching(q, p, boundary);
+    SlidingMode law = new SlidingMode(reaching, reaching, 100);
     Pose robot = new Pose(x, y, heading);
     Pose reference = new Pose(0, 0, 0);
     double speed = 0.08;
