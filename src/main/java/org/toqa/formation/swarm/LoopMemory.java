@@ -6,23 +6,35 @@ import org.toqa.geometry.Vec2;
 
 /**
  * Leaves loops by memory instead of chance: where the virtual leader comes again to a place in the
- * same direction, the swarm has been led round. From there it does not turn toward the target for a
- * detour, which doubles with each time, and so gets out of what it was held by.
+ * same direction, after a way that is long enough for a loop, the swarm has been led round. From
+ * there it does not turn toward the target for a detour, which doubles with each time, and so gets
+ * out of what it was held by.
  *
  * @param square metres: places nearer than that are one
- * @param visits how often each place was come to in each direction
+ * @param visits when each place was last come to in each direction, and how many loops led there
  * @param here the place and direction now
+ * @param driven metres so far
  * @param detour metres for which the swarm still goes straight on where it sees nothing
  */
-public record LoopMemory(double square, Map<Visit, Integer> visits, Visit here, double detour) {
+public record LoopMemory(
+    double square, Map<Place, Visit> visits, Place here, double driven, double detour) {
 
   private static final int SECTORS = 8;
 
   /** The longest detour is the first one, doubled so often. */
   private static final int MOST_DOUBLINGS = 5;
 
+  /** Squares that a loop is long at least. */
+  private static final int SHORTEST_LOOP = 6;
+
   /** A place and a direction, as numbers of squares and of an eighth of a turn. */
-  public record Visit(int column, int row, int sector) {}
+  public record Place(int column, int row, int sector) {}
+
+  /**
+   * @param at metres driven when the swarm was there last
+   * @param loops that led there
+   */
+  public record Visit(double at, int loops) {}
 
   public LoopMemory {
     visits = Map.copyOf(visits);
@@ -30,7 +42,7 @@ public record LoopMemory(double square, Map<Visit, Integer> visits, Visit here, 
 
   /** Before the first step. */
   public static LoopMemory empty(double square) {
-    return new LoopMemory(square, Map.of(), new Visit(0, 0, -1), 0);
+    return new LoopMemory(square, Map.of(), new Place(0, 0, -1), 0, 0);
   }
 
   /**
@@ -38,22 +50,25 @@ public record LoopMemory(double square, Map<Visit, Integer> visits, Visit here, 
    *
    * @param leader metres, map frame
    * @param direction of motion, radians
-   * @param driven metres in this step
+   * @param step metres in this step
    */
-  public LoopMemory next(Vec2 leader, double direction, double driven) {
-    double left = Math.max(0, detour - driven);
+  public LoopMemory next(Vec2 leader, double direction, double step) {
+    double way = driven + step;
+    double left = Math.max(0, detour - step);
     int sector = Math.floorMod((int) Math.rint(direction / (2 * Math.PI) * SECTORS), SECTORS);
-    Visit visit =
-        new Visit(
+    Place place =
+        new Place(
             (int) Math.floor(leader.x() / square), (int) Math.floor(leader.y() / square), sector);
-    if (visit.equals(here)) {
-      return new LoopMemory(square, visits, here, left);
+    if (place.equals(here)) {
+      return new LoopMemory(square, visits, here, way, left);
     }
-    Map<Visit, Integer> counted = new HashMap<>(visits);
-    int before = counted.merge(visit, 1, Integer::sum) - 1;
-    double added =
-        before == 0 ? left : Math.max(left, square * (1 << Math.min(MOST_DOUBLINGS, before)));
-    return new LoopMemory(square, counted, visit, added);
+    Visit last = visits.get(place);
+    boolean isLoop = last != null && way - last.at() > SHORTEST_LOOP * square;
+    int loops = (last == null ? 0 : last.loops()) + (isLoop ? 1 : 0);
+    Map<Place, Visit> known = new HashMap<>(visits);
+    known.put(place, new Visit(way, loops));
+    double added = isLoop ? square * (1 << Math.min(MOST_DOUBLINGS, loops)) : 0;
+    return new LoopMemory(square, known, place, way, Math.max(left, added));
   }
 
   /** Whether the swarm goes straight on where it sees nothing. */

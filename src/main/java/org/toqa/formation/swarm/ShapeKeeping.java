@@ -8,7 +8,7 @@ import org.toqa.geometry.Vec2;
  * the shape stays for ever.
  *
  * @param gain part of the distance to the place that is made good in a step, 0 to 1
- * @param most of the correction, a part of the swarm's speed
+ * @param most of the correction, a part of the swarm's speed; a push is at most twice that
  * @param clearance metres from the robot's rim: what is nearer pushes it away
  */
 public record ShapeKeeping(double gain, double most, double clearance) {
@@ -27,7 +27,7 @@ public record ShapeKeeping(double gain, double most, double clearance) {
    */
   public Vec2 displacement(SwarmRobot robot, Vec2 leader, Vec2 forward, Vec2 toNearest) {
     double limit = most * forward.norm();
-    // d = f + sat(k (L + q - x)) - sat-free push, which grows to the limit where it touches
+    // d = f + sat(k (L + q - x)) - 2 limit (1 - gap / clearance) n
     Vec2 back = limited(leader.plus(robot.wanted()).minus(robot.position()).times(gain), limit);
     double gap = toNearest.norm();
     boolean isNear = gap > 0 && gap < clearance;

@@ -32,7 +32,7 @@ final class SwarmDrive {
   private static final double TRACK = 10;
 
   /** A drive ends when it has become longer than the straight line, so many times. */
-  private static final double LONGEST = 8;
+  private static final double LONGEST = 6;
 
   private final SwarmMap map;
   private final SwarmSetup setup;

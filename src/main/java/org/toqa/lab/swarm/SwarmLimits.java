@@ -26,7 +26,7 @@ public final class SwarmLimits implements Experiment {
   private static final int TURN = 5;
 
   /** Drives with each speed, map and condition in a run. */
-  private static final int DRIVES = 4;
+  private static final int DRIVES = 3;
 
   @Override
   public String name() {

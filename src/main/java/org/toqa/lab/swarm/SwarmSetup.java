@@ -53,8 +53,7 @@ record SwarmSetup(
           20,
           500,
           "m",
-          "how far a lidar sees; chosen with the scale of the maps so that on the simple one, with"
-              + " w = 1, all arrive below 2 m/s as published");
+          "how far a lidar sees");
 
   static final Parameter ROBOT_RADIUS =
       new Parameter("robot-radius", 6, 1, 19, "m", "half a robot's width");
