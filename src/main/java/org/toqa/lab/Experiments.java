@@ -10,7 +10,8 @@ import org.toqa.lab.swarm.SwarmSweep;
 
 /** The experiments that there are, in the order of their names. */
 public final class Experiments {
-  private static final List<Experiment> ALL = List.of(new PublishedScenes(), new GeneratedScenes(), new SwarmSweep(), new SwarmLimits());
+  private static final List<Experiment> ALL =
+      List.of(new PublishedScenes(), new GeneratedScenes(), new SwarmSweep(), new SwarmLimits());
 
   private Experiments() {}
 

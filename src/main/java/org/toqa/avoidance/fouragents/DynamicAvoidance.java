@@ -4,8 +4,9 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * The dynamic avoidance agent: a hierarchy of fuzzy controllers, all zero-order Takagi-Sugeno ({@link
- * RuleTable}). One table over eight sensors of three terms has 3^8 = 6561 rules; this one has 87:
+ * The dynamic avoidance agent: a hierarchy of fuzzy controllers, all zero-order Takagi-Sugeno
+ * ({@link RuleTable}). One table over eight sensors of three terms has 3^8 = 6561 rules; this one
+ * has 87:
  *
  * <ol>
  *   <li>one controller a sensor: range (near, medium, far) to an index of danger, 8 x 3 rules;

@@ -74,9 +74,7 @@ public final class FourAgents {
       case NAVIGATION -> new Decision(new State(driving, kept), navigate(input), utilities);
       case DYNAMIC_AVOIDANCE ->
           new Decision(
-              new State(driving, kept),
-              dynamicAvoidance.velocities(percept.ranges()),
-              utilities);
+              new State(driving, kept), dynamicAvoidance.velocities(percept.ranges()), utilities);
       case STATIC_AVOIDANCE -> goRound(kept, threat, input, utilities);
     };
   }
@@ -91,13 +89,12 @@ public final class FourAgents {
       Optional<StaticAvoidance.Threat> threat,
       Input input,
       Utilities utilities) {
-    if (threat.isEmpty()) { // its utility is 0, and navigation's never: it drives for this step only
-      return new Decision(
-          new State(DrivingAgent.NAVIGATION, kept), navigate(input), utilities);
+    if (threat
+        .isEmpty()) { // its utility is 0, and navigation's never: it drives for this step only
+      return new Decision(new State(DrivingAgent.NAVIGATION, kept), navigate(input), utilities);
     }
     StaticAvoidance.Result result =
-        staticAvoidance.drive(
-            kept, threat.get(), input.robot(), input.target(), input.seconds());
+        staticAvoidance.drive(kept, threat.get(), input.robot(), input.target(), input.seconds());
     return new Decision(
         new State(DrivingAgent.STATIC_AVOIDANCE, Optional.of(result.encounter())),
         result.wheels(),

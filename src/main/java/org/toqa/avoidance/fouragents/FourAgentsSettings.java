@@ -1,8 +1,8 @@
 package org.toqa.avoidance.fouragents;
 
 /**
- * The numbers of the four agents. Those of the seed are 50 mm (the dangerous zone) and 100 mm (where
- * only the target counts); all others are ours, since its figures and tables are lost.
+ * The numbers of the four agents. Those of the seed are 50 mm (the dangerous zone) and 100 mm
+ * (where only the target counts); all others are ours, since its figures and tables are lost.
  *
  * @param body the robot
  * @param sensorRange metres from the rim
@@ -60,28 +60,60 @@ public record FourAgentsSettings(
   /** The same with another margin of the convergence circles, metres. */
   public FourAgentsSettings withMargin(double metres) {
     return new FourAgentsSettings(
-        body, sensorRange, danger, arrival, metres, approach, cruise, hysteresis, tolerance,
+        body,
+        sensorRange,
+        danger,
+        arrival,
+        metres,
+        approach,
+        cruise,
+        hysteresis,
+        tolerance,
         convergence);
   }
 
   /** The same with another rise of the utility of static avoidance, metres. */
   public FourAgentsSettings withApproach(double metres) {
     return new FourAgentsSettings(
-        body, sensorRange, danger, arrival, margin, metres, cruise, hysteresis, tolerance,
+        body,
+        sensorRange,
+        danger,
+        arrival,
+        margin,
+        metres,
+        cruise,
+        hysteresis,
+        tolerance,
         convergence);
   }
 
   /** The same with another dangerous zone, metres. */
   public FourAgentsSettings withDanger(double metres) {
     return new FourAgentsSettings(
-        body, sensorRange, metres, arrival, margin, approach, cruise, hysteresis, tolerance,
+        body,
+        sensorRange,
+        metres,
+        arrival,
+        margin,
+        approach,
+        cruise,
+        hysteresis,
+        tolerance,
         convergence);
   }
 
   /** The same with another hysteresis. */
   public FourAgentsSettings withHysteresis(double difference) {
     return new FourAgentsSettings(
-        body, sensorRange, danger, arrival, margin, approach, cruise, difference, tolerance,
+        body,
+        sensorRange,
+        danger,
+        arrival,
+        margin,
+        approach,
+        cruise,
+        difference,
+        tolerance,
         convergence);
   }
 

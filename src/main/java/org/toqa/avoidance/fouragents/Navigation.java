@@ -17,9 +17,7 @@ final class Navigation {
   private static final double[] SPEEDS = {0, 0.5, 1};
 
   /** Left and right wheel as parts of the speed, for the terms of phi from right to left. */
-  private static final double[][] WHEELS = {
-    {0.5, -0.5}, {1, 0.2}, {1, 1}, {0.2, 1}, {-0.5, 0.5}
-  };
+  private static final double[][] WHEELS = {{0.5, -0.5}, {1, 0.2}, {1, 1}, {0.2, 1}, {-0.5, 0.5}};
 
   private final double wheelSpeed;
   private final RuleTable table;

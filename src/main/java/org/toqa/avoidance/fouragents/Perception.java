@@ -29,8 +29,7 @@ record Perception(RangeRing ring, double tolerance) {
       double range = reading >= 0 ? Math.min(reading, ring.farthest()) : 0;
       Vec2 point = robot.compose(beams.get(i)).compose(new Pose(range, 0, 0)).position();
       boolean isKnown =
-          known.stream()
-              .anyMatch(o -> o.centre().distanceTo(point) <= o.radius() + tolerance);
+          known.stream().anyMatch(o -> o.centre().distanceTo(point) <= o.radius() + tolerance);
       all.add(range);
       unknown.add(isKnown ? ring.farthest() : range);
     }

@@ -9,17 +9,17 @@ import org.toqa.geometry.Twist;
 import org.toqa.geometry.Vec2;
 
 /**
- * The static avoidance agent: round a known obstacle on a limit cycle ({@link LimitCycle}), which it
- * tracks by sliding mode ({@link SlidingMode}).
+ * The static avoidance agent: round a known obstacle on a limit cycle ({@link LimitCycle}), which
+ * it tracks by sliding mode ({@link SlidingMode}).
  *
  * <p>The convergence circle has Rc = obstacle + robot + margin, less where the target is nearer, or
- * where half the margin on each side is left between two obstacles. The
- * direction is chosen where an obstacle is met, by the sign of the robot's y in a frame at the
- * circle's centre turned toward the target: above 0 clockwise, else counter-clockwise, the shorter
- * way round. Obstacles whose circles meet are gone round as one, always by the circle that is
- * nearest, in the direction first chosen (the seed has single obstacles only): that follows the
- * border of all their circles together, which no field of a single one does. An obstacle is in the
- * way as long as the straight line to the target meets its circle, and is left at the tangent.
+ * where half the margin on each side is left between two obstacles. The direction is chosen where
+ * an obstacle is met, by the sign of the robot's y in a frame at the circle's centre turned toward
+ * the target: above 0 clockwise, else counter-clockwise, the shorter way round. Obstacles whose
+ * circles meet are gone round as one, always by the circle that is nearest, in the direction first
+ * chosen (the seed has single obstacles only): that follows the border of all their circles
+ * together, which no field of a single one does. An obstacle is in the way as long as the straight
+ * line to the target meets its circle, and is left at the tangent.
  */
 final class StaticAvoidance {
 
@@ -55,8 +55,7 @@ final class StaticAvoidance {
    * @param outside metres from the circle to the robot, negative inside
    * @param isInTheWay whether the line to the target meets its circle
    */
-  private record Circle(
-      Vec2 centre, double radius, double outside, boolean isInTheWay) {
+  private record Circle(Vec2 centre, double radius, double outside, boolean isInTheWay) {
     boolean meets(Circle other) {
       return centre.distanceTo(other.centre) < radius + other.radius;
     }
@@ -95,8 +94,7 @@ final class StaticAvoidance {
             new Threat(
                 c.centre(),
                 c.radius(),
-                Utilities.staticAvoidance(
-                    c.outside(), settings.approach(), settings.margin())));
+                Utilities.staticAvoidance(c.outside(), settings.approach(), settings.margin())));
   }
 
   private double touching(StaticObstacle obstacle) {
@@ -191,7 +189,6 @@ final class StaticAvoidance {
     double fastest = (1 - RESERVE) * settings.body().wheelSpeed();
     double speed = fastest / (1 + Math.abs(curvature) * track / 2);
     double heading = Angles.normalise(cycle.velocity(inside).angle());
-    return new SlidingMode.Reference(
-        new Pose(at.x(), at.y(), heading), speed, speed * curvature);
+    return new SlidingMode.Reference(new Pose(at.x(), at.y(), heading), speed, speed * curvature);
   }
 }

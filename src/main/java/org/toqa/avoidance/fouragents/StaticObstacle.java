@@ -17,8 +17,7 @@ public record StaticObstacle(Vec2 centre, double radius) {
    * @param corners metres, map frame, at least one; the circle is about their mean
    */
   public static StaticObstacle around(List<Vec2> corners) {
-    Vec2 centre =
-        corners.stream().reduce(Vec2.ZERO, Vec2::plus).times(1.0 / corners.size());
+    Vec2 centre = corners.stream().reduce(Vec2.ZERO, Vec2::plus).times(1.0 / corners.size());
     double radius = corners.stream().mapToDouble(centre::distanceTo).max().orElseThrow();
     return new StaticObstacle(centre, radius);
   }

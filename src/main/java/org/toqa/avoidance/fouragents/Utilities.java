@@ -24,8 +24,8 @@ public record Utilities(double navigation, double staticAvoidance, double dynami
 
   /**
    * Who drives: the one with the highest utility; the present one as long as no other has more by
-   * the hysteresis. A more careful agent of full utility drives at once: in the seed navigation near
-   * the target has the most that there is, and would drive into what is there.
+   * the hysteresis. A more careful agent of full utility drives at once: in the seed navigation
+   * near the target has the most that there is, and would drive into what is there.
    */
   DrivingAgent choose(DrivingAgent present, double hysteresis) {
     DrivingAgent best = present;

@@ -28,9 +28,7 @@ public record Observers(OptionalInt left, OptionalInt middle, OptionalInt right)
     }
     Vec2 leader = VirtualLeader.position(robots);
     List<Vec2> places =
-        robots.stream()
-            .map(r -> VirtualLeader.inFrame(r.position(), leader, direction))
-            .toList();
+        robots.stream().map(r -> VirtualLeader.inFrame(r.position(), leader, direction)).toList();
     List<Integer> rest = new ArrayList<>();
     for (int i = 0; i < places.size(); i++) {
       rest.add(i);

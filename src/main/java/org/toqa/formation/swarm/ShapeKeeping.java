@@ -4,8 +4,8 @@ import org.toqa.geometry.Vec2;
 
 /**
  * What the published law lacks: each robot drives back to its place in the shape, and keeps its own
- * clearance from what is beside it. The published law drives all robots alike, so what noise does to
- * the shape stays for ever.
+ * clearance from what is beside it. The published law drives all robots alike, so what noise does
+ * to the shape stays for ever.
  *
  * @param gain part of the distance to the place that is made good in a step, 0 to 1
  * @param most of the correction, a part of the swarm's speed; a push is at most twice that
@@ -22,8 +22,8 @@ public record ShapeKeeping(double gain, double most, double clearance) {
    * @param robot where it is and should be
    * @param leader the virtual leader, metres, map frame
    * @param forward the swarm's displacement in the step, metres, map frame
-   * @param toNearest from the robot's rim to the nearest thing that its own sensor sees, metres, map
-   *     frame; of length 0 or beyond the clearance: nothing
+   * @param toNearest from the robot's rim to the nearest thing that its own sensor sees, metres,
+   *     map frame; of length 0 or beyond the clearance: nothing
    */
   public Vec2 displacement(SwarmRobot robot, Vec2 leader, Vec2 forward, Vec2 toNearest) {
     double limit = most * forward.norm();

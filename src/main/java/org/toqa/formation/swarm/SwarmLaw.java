@@ -5,8 +5,8 @@ import org.toqa.geometry.Angles;
 import org.toqa.geometry.Vec2;
 
 /**
- * How a swarm turns: all robots drive at the same constant speed in the same direction, which changes
- * by a fixed angle w a step at most.
+ * How a swarm turns: all robots drive at the same constant speed in the same direction, which
+ * changes by a fixed angle w a step at most.
  *
  * <table>
  *   <caption>The turn, by who sees an obstacle</caption>
@@ -18,8 +18,8 @@ import org.toqa.geometry.Vec2;
  *   <tr><td>none</td><td>toward the target</td></tr>
  * </table>
  *
- * <p>Against endless loops the opposite turn is taken with a small probability (epsilon-greedy). The
- * target is straight on where it is within half of w: a turn would lead farther from it.
+ * <p>Against endless loops the opposite turn is taken with a small probability (epsilon-greedy).
+ * The target is straight on where it is within half of w: a turn would lead farther from it.
  *
  * @param turnStep w, radians
  * @param epsilonSeen probability of the opposite turn where an obstacle is seen: 0.001 as published

@@ -5,7 +5,8 @@ import org.toqa.geometry.Vec2;
 
 /**
  * The leader that no robot is: where it would be, on average, by where each robot is and should be.
- * It moves on smoothly when a robot is lost: with all in their places each one tells the same point.
+ * It moves on smoothly when a robot is lost: with all in their places each one tells the same
+ * point.
  */
 public final class VirtualLeader {
   private VirtualLeader() {}

@@ -37,7 +37,8 @@ final class AvoidanceParameters {
           "hysteresis", CHOSEN.hysteresis(), 0, 0.3, "", "by which another utility must be larger");
 
   static final Parameter NOISE =
-      new Parameter("noise", 0.01, 0, 0.2, "", "standard deviation of readings and wheels, a share");
+      new Parameter(
+          "noise", 0.01, 0, 0.2, "", "standard deviation of readings and wheels, a share");
 
   static final List<Parameter> ALL = List.of(MARGIN, DANGER, APPROACH, HYSTERESIS, NOISE);
 

@@ -65,7 +65,8 @@ public final class GeneratedScenes implements Experiment {
         run.progress(0.4 * i / scenes, "scene " + (i + 1) + " of " + scenes);
       }
       run.checkStopped();
-      solvable.add(generator.next("scene-" + (i + 1), new SplittableRandom(run.seed() * 1_000_003 + i)));
+      solvable.add(
+          generator.next("scene-" + (i + 1), new SplittableRandom(run.seed() * 1_000_003 + i)));
     }
     List<Drive> drives = drive(solvable, run);
     List<Figure> figures = new ArrayList<>();
@@ -78,9 +79,7 @@ public final class GeneratedScenes implements Experiment {
       rows.add(
           row(
               Integer.toString(moving),
-              drives.stream()
-                  .filter(d -> d.solvable().scene().moving().size() == count)
-                  .toList()));
+              drives.stream().filter(d -> d.solvable().scene().moving().size() == count).toList()));
     }
     rows.add(row("all", drives));
     return new Report(
@@ -91,8 +90,16 @@ public final class GeneratedScenes implements Experiment {
                 "By the number of moving obstacles; medians and 95th percentiles of those that"
                     + " arrived",
                 List.of(
-                    "moving", "scenes", "arrived", "contacts", "hit while it stood", "late",
-                    "time (s)", "time, 95 % (s)", "length by shortest", "length, 95 %"),
+                    "moving",
+                    "scenes",
+                    "arrived",
+                    "contacts",
+                    "hit while it stood",
+                    "late",
+                    "time (s)",
+                    "time, 95 % (s)",
+                    "length by shortest",
+                    "length, 95 %"),
                 rows),
             sensitivity(solvable, run)),
         failures(drives),
@@ -104,8 +111,7 @@ public final class GeneratedScenes implements Experiment {
 
   private static SceneGenerator generator() {
     FourAgentsSettings chosen = SceneDrive.khepera();
-    return new SceneGenerator(
-        chosen.body().radius(), chosen.margin(), chosen.body().wheelSpeed());
+    return new SceneGenerator(chosen.body().radius(), chosen.margin(), chosen.body().wheelSpeed());
   }
 
   private static List<Drive> drive(List<SceneGenerator.Solvable> scenes, Run run) {
@@ -117,8 +123,7 @@ public final class GeneratedScenes implements Experiment {
       double noise = run.value(AvoidanceParameters.NOISE);
       drives.add(
           new Drive(
-              scenes.get(i),
-              new SceneDrive(scenes.get(i).scene(), settings, noise, random).run()));
+              scenes.get(i), new SceneDrive(scenes.get(i).scene(), settings, noise, random).run()));
     }
     return drives;
   }
@@ -180,8 +185,7 @@ public final class GeneratedScenes implements Experiment {
     rows.add(sensitivityRow("as chosen", drive(some, run)));
     for (int i = 0; i < variants.size(); i++) {
       Variant variant = variants.get(i);
-      String name =
-          "%s %s".formatted(variant.parameter().name(), Medians.text(variant.value(), 2));
+      String name = "%s %s".formatted(variant.parameter().name(), Medians.text(variant.value(), 2));
       run.progress(0.5 + 0.5 * i / variants.size(), name);
       rows.add(sensitivityRow(name, drive(some, run.with(variant.parameter(), variant.value()))));
     }
@@ -210,8 +214,7 @@ public final class GeneratedScenes implements Experiment {
     List<Drawing> pictures = new ArrayList<>();
     for (SceneDrive.End end : SceneDrive.End.values()) {
       Optional<Drive> first = drives.stream().filter(d -> d.result().end() == end).findFirst();
-      first.ifPresent(
-          d -> pictures.add(PublishedScenes.picture(d.solvable().scene(), d.result())));
+      first.ifPresent(d -> pictures.add(PublishedScenes.picture(d.solvable().scene(), d.result())));
     }
     return pictures;
   }

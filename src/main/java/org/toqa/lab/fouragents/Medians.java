@@ -23,8 +23,6 @@ final class Medians {
   }
 
   static String text(double number, int decimals) {
-    return Double.isNaN(number)
-        ? "-"
-        : String.format(Locale.ROOT, "%." + decimals + "f", number);
+    return Double.isNaN(number) ? "-" : String.format(Locale.ROOT, "%." + decimals + "f", number);
   }
 }

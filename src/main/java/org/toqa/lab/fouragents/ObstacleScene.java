@@ -51,8 +51,7 @@ record ObstacleScene(
       if (in == null) {
         throw new IllegalArgumentException("There is no scene " + name + ".");
       }
-      BufferedReader lines =
-          new BufferedReader(new InputStreamReader(in, StandardCharsets.UTF_8));
+      BufferedReader lines = new BufferedReader(new InputStreamReader(in, StandardCharsets.UTF_8));
       return parse(name, lines.lines().toList());
     } catch (IOException e) {
       throw new UncheckedIOException(e);
@@ -98,7 +97,8 @@ record ObstacleScene(
   private static Vec2 point(String word) {
     int comma = word.indexOf(',');
     return new Vec2(
-        Double.parseDouble(word.substring(0, comma)), Double.parseDouble(word.substring(comma + 1)));
+        Double.parseDouble(word.substring(0, comma)),
+        Double.parseDouble(word.substring(comma + 1)));
   }
 
   /** The circles that the robot knows. */

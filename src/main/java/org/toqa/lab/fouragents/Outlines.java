@@ -29,8 +29,7 @@ final class Outlines {
     for (int i = 0; i < corners.size(); i++) {
       nearest =
           Math.min(
-              nearest,
-              point.distanceToLine(corners.get(i), corners.get((i + 1) % corners.size())));
+              nearest, point.distanceToLine(corners.get(i), corners.get((i + 1) % corners.size())));
     }
     return nearest;
   }

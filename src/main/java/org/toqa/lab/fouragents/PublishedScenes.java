@@ -97,9 +97,19 @@ public final class PublishedScenes implements Experiment {
                 "scenes",
                 "Drives of each scene: medians of those that arrived",
                 List.of(
-                    "scene", "arrived", "contacts", "hit while it stood", "time (s)",
-                    "at full speed at least (s)", "length (m)", "shortest (m)", "ratio",
-                    "nearest (m)", "navigation", "static", "dynamic"),
+                    "scene",
+                    "arrived",
+                    "contacts",
+                    "hit while it stood",
+                    "time (s)",
+                    "at full speed at least (s)",
+                    "length (m)",
+                    "shortest (m)",
+                    "ratio",
+                    "nearest (m)",
+                    "navigation",
+                    "static",
+                    "dynamic"),
                 rows)),
         drawings,
         List.of(
@@ -160,7 +170,8 @@ public final class PublishedScenes implements Experiment {
 
   private static String share(List<SceneDrive.Result> results, DrivingAgent agent) {
     double share =
-        Medians.of(results, r -> r.driving().getOrDefault(agent, 0.0) / Math.max(1e-9, r.seconds()));
+        Medians.of(
+            results, r -> r.driving().getOrDefault(agent, 0.0) / Math.max(1e-9, r.seconds()));
     return String.format(Locale.ROOT, "%.0f %%", 100 * share);
   }
 
@@ -168,8 +179,7 @@ public final class PublishedScenes implements Experiment {
   private static Figure alternation(Run run) {
     ObstacleScene scene = ObstacleScene.named(SCENES.getFirst());
     int with = switches(scene, AvoidanceParameters.settings(run), run);
-    Run literal =
-        run.with(AvoidanceParameters.APPROACH, 0).with(AvoidanceParameters.HYSTERESIS, 0);
+    Run literal = run.with(AvoidanceParameters.APPROACH, 0).with(AvoidanceParameters.HYSTERESIS, 0);
     int without = switches(scene, AvoidanceParameters.settings(literal), run);
     return new Figure(
         "changes of the driving agent round one obstacle",

@@ -112,8 +112,7 @@ final class SceneDrive {
       double gap = gap(robot.position(), time);
       nearest = Math.min(nearest, gap);
       if (gap <= 0) {
-        boolean isStanding =
-            Math.max(Math.abs(wheels.left()), Math.abs(wheels.right())) < STANDING;
+        boolean isStanding = Math.max(Math.abs(wheels.left()), Math.abs(wheels.right())) < STANDING;
         end = isStanding ? End.HIT_STANDING : End.CONTACT;
         break;
       }
@@ -123,8 +122,7 @@ final class SceneDrive {
       }
       FourAgents.Decision decision =
           agents.step(
-              state,
-              new FourAgents.Input(robot, ranges(robot, time), scene.target(), known, STEP));
+              state, new FourAgents.Input(robot, ranges(robot, time), scene.target(), known, STEP));
       switches += decision.state().driving() == state.driving() ? 0 : 1;
       state = decision.state();
       driving.merge(state.driving(), STEP, Double::sum);

@@ -7,9 +7,9 @@ import org.toqa.geometry.Pose;
 import org.toqa.geometry.Vec2;
 
 /**
- * Makes scenes that can be solved: convex obstacles of three to six corners anywhere, and round ones
- * that move at up to half the robot's speed clear of what stands. A scene has a path for the robot
- * with its margin; whether the law finds one is what is measured.
+ * Makes scenes that can be solved: convex obstacles of three to six corners anywhere, and round
+ * ones that move at up to half the robot's speed clear of what stands. A scene has a path for the
+ * robot with its margin; whether the law finds one is what is measured.
  */
 final class SceneGenerator {
   private static final Vec2 SIZE = new Vec2(1.6, 1.2);
@@ -71,8 +71,7 @@ final class SceneGenerator {
   /** Corners on a circle, in the order of their angles: a convex outline. */
   private static List<Vec2> convex(RandomGenerator random) {
     Vec2 centre =
-        new Vec2(
-            0.2 + random.nextDouble(SIZE.x() - 0.4), 0.1 + random.nextDouble(SIZE.y() - 0.2));
+        new Vec2(0.2 + random.nextDouble(SIZE.x() - 0.4), 0.1 + random.nextDouble(SIZE.y() - 0.2));
     double radius = 0.05 + random.nextDouble(0.10);
     int count = 3 + random.nextInt(4);
     double turn = random.nextDouble(2 * Math.PI);

@@ -40,8 +40,7 @@ final class SwarmDrive {
   private final double speed;
   private final RandomGenerator random;
 
-  SwarmDrive(
-      SwarmMap map, SwarmSetup setup, SwarmLaw law, double speed, RandomGenerator random) {
+  SwarmDrive(SwarmMap map, SwarmSetup setup, SwarmLaw law, double speed, RandomGenerator random) {
     this.map = map;
     this.setup = setup;
     this.law = law;
@@ -142,16 +141,14 @@ final class SwarmDrive {
     int rays = (int) Math.ceil(setup.view() / BETWEEN_RAYS);
     for (int i = -rays; i <= rays; i++) {
       double aside = rays == 0 ? 0 : setup.view() * i / rays;
-      nearest =
-          Math.min(nearest, RayCast.distance(now.grid(), from, direction + aside, nearest));
+      nearest = Math.min(nearest, RayCast.distance(now.grid(), from, direction + aside, nearest));
     }
     double noise = setup.rangeNoise();
     double read = noise > 0 ? nearest * (1 + noise * random.nextGaussian()) : nearest;
     return nearest < setup.lidarRange() && read < setup.lidarRange();
   }
 
-  private List<SwarmRobot> moved(
-      SwarmMap now, List<SwarmRobot> robots, Vec2 leader, Vec2 forward) {
+  private List<SwarmRobot> moved(SwarmMap now, List<SwarmRobot> robots, Vec2 leader, Vec2 forward) {
     List<SwarmRobot> left = new ArrayList<>(robots.size());
     double noise = setup.actuatorNoise();
     for (SwarmRobot robot : robots) {
@@ -160,9 +157,7 @@ final class SwarmDrive {
               ? forward
               : setup.keeping().displacement(robot, leader, forward, nearest(now, robot));
       if (noise > 0) {
-        d =
-            d.plus(
-                new Vec2(random.nextGaussian(), random.nextGaussian()).times(noise * speed));
+        d = d.plus(new Vec2(random.nextGaussian(), random.nextGaussian()).times(noise * speed));
       }
       Vec2 position = robot.position().plus(d);
       if (!now.touches(position, setup.robotRadius())) {

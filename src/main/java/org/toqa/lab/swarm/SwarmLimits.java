@@ -127,7 +127,8 @@ public final class SwarmLimits implements Experiment {
       for (double speed : SPEEDS) {
         for (int i = 0; i < DRIVES * run.runs(); i++) {
           run.checkStopped();
-          SplittableRandom random = new SplittableRandom(run.seedOf(i) * 1_000_003 + (long) (speed * 10));
+          SplittableRandom random =
+              new SplittableRandom(run.seedOf(i) * 1_000_003 + (long) (speed * 10));
           results.add(new SwarmDrive(one, setup, law, speed, random).run());
         }
       }
@@ -158,7 +159,8 @@ public final class SwarmLimits implements Experiment {
   private static Chart shape(SwarmSetup published, SwarmSetup extended, Run run) {
     List<Chart.Series> series = new ArrayList<>();
     for (double noise : new double[] {0, 0.2}) {
-      series.add(series("published law, wheels " + noise, published.under(0, 0, noise, false), run));
+      series.add(
+          series("published law, wheels " + noise, published.under(0, 0, noise, false), run));
       series.add(series("extended law, wheels " + noise, extended.under(0, 0, noise, false), run));
     }
     return new Chart(
@@ -172,7 +174,8 @@ public final class SwarmLimits implements Experiment {
   private static Chart.Series series(String name, SwarmSetup setup, Run run) {
     SwarmLaw law = SwarmLaw.published(Math.toRadians(TURN));
     SwarmDrive.Result result =
-        new SwarmDrive(SwarmMap.named("simple"), setup, law, 1, new SplittableRandom(run.seed())).run();
+        new SwarmDrive(SwarmMap.named("simple"), setup, law, 1, new SplittableRandom(run.seed()))
+            .run();
     List<Chart.Point> points = new ArrayList<>();
     double driven = 0;
     List<Vec2> track = result.track();

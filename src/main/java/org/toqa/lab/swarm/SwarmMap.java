@@ -85,8 +85,7 @@ record SwarmMap(String name, OccupancyGrid grid) {
         occupied.set(row * grid.width() + column, !isFree(column, row, places));
       }
     }
-    OccupancyGrid all =
-        new OccupancyGrid(grid.width(), grid.height(), CELL, Vec2.ZERO, occupied);
+    OccupancyGrid all = new OccupancyGrid(grid.width(), grid.height(), CELL, Vec2.ZERO, occupied);
     return new ShortestDiscPath(all, radius).length(START, TARGET).orElse(Double.NaN);
   }
 

@@ -47,13 +47,7 @@ record SwarmSetup(
   private static final Vec2 CHANGE_MOST = new Vec2(1160, 680);
 
   static final Parameter LIDAR_RANGE =
-      new Parameter(
-          "lidar-range",
-          120,
-          20,
-          500,
-          "m",
-          "how far a lidar sees");
+      new Parameter("lidar-range", 120, 20, 500, "m", "how far a lidar sees");
 
   static final Parameter ROBOT_RADIUS =
       new Parameter("robot-radius", 6, 1, 19, "m", "half a robot's width");
@@ -94,15 +88,35 @@ record SwarmSetup(
   /** The same with what the paper names as its limits. */
   SwarmSetup under(int steps, double ranges, double actuators, boolean change) {
     return new SwarmSetup(
-        robotRadius, lidarRange, outward, view, apart, targetRadius, steps, ranges, actuators, change,
-        keeping, hasMemory);
+        robotRadius,
+        lidarRange,
+        outward,
+        view,
+        apart,
+        targetRadius,
+        steps,
+        ranges,
+        actuators,
+        change,
+        keeping,
+        hasMemory);
   }
 
   /** The same with what removes them. */
   SwarmSetup extended() {
     return new SwarmSetup(
-        robotRadius, lidarRange, outward, view, apart, targetRadius, delay, rangeNoise, actuatorNoise,
-        isChanging, new ShapeKeeping(0.2, 0.5, 2 * robotRadius), true);
+        robotRadius,
+        lidarRange,
+        outward,
+        view,
+        apart,
+        targetRadius,
+        delay,
+        rangeNoise,
+        actuatorNoise,
+        isChanging,
+        new ShapeKeeping(0.2, 0.5, 2 * robotRadius),
+        true);
   }
 
   /** The robots' places from the leader: a square. */

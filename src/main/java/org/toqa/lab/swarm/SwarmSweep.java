@@ -136,7 +136,8 @@ public final class SwarmSweep implements Experiment {
     List<SwarmDrive.Result> results = new ArrayList<>();
     for (int i = 0; i < DRIVES * run.runs(); i++) {
       run.checkStopped();
-      SplittableRandom random = new SplittableRandom(run.seedOf(i) * 1_000_003 + turn * 1009L + (long) (speed * 10));
+      SplittableRandom random =
+          new SplittableRandom(run.seedOf(i) * 1_000_003 + turn * 1009L + (long) (speed * 10));
       results.add(new SwarmDrive(map, setup, law, speed, random).run());
     }
     return new Cell(map.name(), turn, speed, results);
@@ -332,7 +333,13 @@ public final class SwarmSweep implements Experiment {
         "sweep",
         "Steps and losses of nine robots",
         List.of(
-            "map", "w (degrees)", "v (m/s)", "arrived", "lost", "mean lost", "steps (median)",
+            "map",
+            "w (degrees)",
+            "v (m/s)",
+            "arrived",
+            "lost",
+            "mean lost",
+            "steps (median)",
             "steps at least"),
         rows);
   }
@@ -353,8 +360,7 @@ public final class SwarmSweep implements Experiment {
     return new Table(
         "sensitivity",
         "How much depends on what was chosen: w = 1, speeds 0.5, 1.0 ... 5.5",
-        List.of("parameter", "simple: all arrive", "none from", "complex: all arrive",
-            "none from"),
+        List.of("parameter", "simple: all arrive", "none from", "complex: all arrive", "none from"),
         rows);
   }
 
@@ -405,12 +411,18 @@ public final class SwarmSweep implements Experiment {
       String on = ", " + name + " map";
       drawings.add(
           new Chart(
-              "steps-" + name, "Steps to the target (figure 11)" + on, "v (m/s)",
-              "log10 of steps", steps));
+              "steps-" + name,
+              "Steps to the target (figure 11)" + on,
+              "v (m/s)",
+              "log10 of steps",
+              steps));
       drawings.add(
           new Chart(
-              "lost-" + name, "Robots lost of " + ROBOTS + " (figure 12)" + on, "v (m/s)",
-              "robots", lost));
+              "lost-" + name,
+              "Robots lost of " + ROBOTS + " (figure 12)" + on,
+              "v (m/s)",
+              "robots",
+              lost));
       drawings.add(picture(SwarmMap.named(name), setup, run));
     }
     return drawings;
@@ -421,8 +433,7 @@ public final class SwarmSweep implements Experiment {
     List<Scene.Mark> marks = new ArrayList<>(map.marks());
     marks.add(new Scene.Disc(SwarmMap.TARGET, setup.targetRadius(), Colour.RED));
     for (Vec2 place : setup.places()) {
-      marks.add(
-          new Scene.Disc(SwarmMap.START.plus(place), setup.robotRadius(), Colour.PURPLE));
+      marks.add(new Scene.Disc(SwarmMap.START.plus(place), setup.robotRadius(), Colour.PURPLE));
     }
     double[] speeds = {0.5, 1, 2, 3};
     for (int i = 0; i < speeds.length; i++) {
@@ -444,8 +455,6 @@ public final class SwarmSweep implements Experiment {
   }
 
   static String text(double number, int decimals) {
-    return Double.isNaN(number)
-        ? "-"
-        : String.format(Locale.ROOT, "%." + decimals + "f", number);
+    return Double.isNaN(number) ? "-" : String.format(Locale.ROOT, "%." + decimals + "f", number);
   }
 }

@@ -37,8 +37,7 @@ class StaticAvoidancePropertyTest {
       Vec2 k2 = cycle.velocity(at.plus(k1.times(step / 2)));
       Vec2 k3 = cycle.velocity(at.plus(k2.times(step / 2)));
       Vec2 k4 = cycle.velocity(at.plus(k3.times(step)));
-      Vec2 next =
-          at.plus(k1.plus(k2.times(2)).plus(k3.times(2)).plus(k4).times(step / 6));
+      Vec2 next = at.plus(k1.plus(k2.times(2)).plus(k3.times(2)).plus(k4).times(step / 6));
       turned += Angles.difference(at.angle(), next.angle());
       at = next;
       time += step;
@@ -63,7 +62,8 @@ class StaticAvoidancePropertyTest {
     Vec2 next = at.plus(v.times(step));
     double turned = Angles.difference(v.angle(), cycle.velocity(next).angle());
 
-    assertEquals(turned / (v.norm() * step), cycle.curvature(at), 1e-3 * (1 + Math.abs(turned) / step));
+    assertEquals(
+        turned / (v.norm() * step), cycle.curvature(at), 1e-3 * (1 + Math.abs(turned) / step));
   }
 
   /** The error dynamics of Kanayama, by small steps, without any limit of the wheels. */
@@ -83,8 +83,7 @@ class StaticAvoidancePropertyTest {
     double speed = 0.08;
     SlidingMode.Surfaces first =
         law.surfaces(robot, new SlidingMode.Reference(reference, speed, turnRate));
-    double latest =
-        Math.max(bound(first.s1(), q, p, boundary), bound(first.s2(), q, p, boundary));
+    double latest = Math.max(bound(first.s1(), q, p, boundary), bound(first.s2(), q, p, boundary));
     double step = 1e-4;
     for (double time = 0; time < latest + step; time += step) {
       SlidingMode.Reference now = new SlidingMode.Reference(reference, speed, turnRate);

@@ -26,8 +26,7 @@ class UtilitiesPropertyTest {
   @Property
   void nothingOutOfTheDangerousZoneMatters(
       @ForAll @DoubleRange(min = DANGER, max = 1) double range) {
-    assertEquals(
-        0, Utilities.dynamicAvoidance(Collections.nCopies(RangeRing.SIZE, range), DANGER));
+    assertEquals(0, Utilities.dynamicAvoidance(Collections.nCopies(RangeRing.SIZE, range), DANGER));
   }
 
   @Property
@@ -76,8 +75,7 @@ class UtilitiesPropertyTest {
   void atTheTargetWhatIsImminentGoesFirst() {
     Utilities utilities = new Utilities(1, 0, 1);
 
-    assertEquals(
-        DrivingAgent.DYNAMIC_AVOIDANCE, utilities.choose(DrivingAgent.NAVIGATION, 0.1));
+    assertEquals(DrivingAgent.DYNAMIC_AVOIDANCE, utilities.choose(DrivingAgent.NAVIGATION, 0.1));
   }
 
   @Example

@@ -31,7 +31,11 @@ class SwarmPropertyTest {
   Arbitrary<List<SwarmRobot>> swarms() {
     Arbitrary<Double> lattice = Arbitraries.integers().between(-20, 20).map(i -> i / 3.0);
     Arbitrary<Vec2> points = Combinators.combine(lattice, lattice).as(Vec2::new);
-    return Combinators.combine(points, points).as(SwarmRobot::new).list().ofMinSize(1).ofMaxSize(12);
+    return Combinators.combine(points, points)
+        .as(SwarmRobot::new)
+        .list()
+        .ofMinSize(1)
+        .ofMaxSize(12);
   }
 
   @Property
@@ -42,9 +46,7 @@ class SwarmPropertyTest {
     Vec2 leader = new Vec2(x, 7);
     List<SwarmRobot> inPlace =
         new ArrayList<>(
-            robots.stream()
-                .map(r -> new SwarmRobot(leader.plus(r.wanted()), r.wanted()))
-                .toList());
+            robots.stream().map(r -> new SwarmRobot(leader.plus(r.wanted()), r.wanted())).toList());
     Random random = new Random(seed);
     while (!inPlace.isEmpty()) {
       assertEquals(0, VirtualLeader.position(inPlace).distanceTo(leader), ROUNDING);
@@ -121,8 +123,7 @@ class SwarmPropertyTest {
 
     Observers observers = Observers.of(robots, 0, WIDTH);
 
-    assertEquals(
-        new Observers(OptionalInt.of(0), OptionalInt.of(1), OptionalInt.of(2)), observers);
+    assertEquals(new Observers(OptionalInt.of(0), OptionalInt.of(1), OptionalInt.of(2)), observers);
     assertEquals(3, observers.count());
   }
 
@@ -132,9 +133,7 @@ class SwarmPropertyTest {
 
     assertEquals(Math.min(3, robots.size()), observers.count());
     assertEquals(
-        1 - observers.count() / (double) robots.size(),
-        Observers.saving(robots.size()),
-        ROUNDING);
+        1 - observers.count() / (double) robots.size(), Observers.saving(robots.size()), ROUNDING);
   }
 
   /** The table of the paper, row by row, for a swarm that drives east. */
@@ -181,8 +180,7 @@ class SwarmPropertyTest {
     SwarmLaw.Motion motion = new SwarmLaw.Motion(direction, last);
 
     SwarmLaw.Motion next =
-        law.next(
-            motion, new Sightings(left, middle, right), new Vec2(1, 0), new Random(seed));
+        law.next(motion, new Sightings(left, middle, right), new Vec2(1, 0), new Random(seed));
 
     double turned = Angles.difference(direction, next.direction());
     assertEquals(next.last().sign() * Math.toRadians(20), turned, ROUNDING);
@@ -199,8 +197,7 @@ class SwarmPropertyTest {
       Turn usual = isSeen ? Turn.RIGHT : Turn.LEFT;
       int opposite = 0;
       for (int i = 0; i < throwsCount; i++) {
-        Turn turn =
-            law.next(SwarmLaw.Motion.straight(0), seen, new Vec2(0, 10), random).last();
+        Turn turn = law.next(SwarmLaw.Motion.straight(0), seen, new Vec2(0, 10), random).last();
         opposite += turn == usual ? 0 : 1;
       }
       double epsilon = isSeen ? 0.001 : 0.01;

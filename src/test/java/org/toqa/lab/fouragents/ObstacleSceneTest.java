@@ -57,7 +57,10 @@ class ObstacleSceneTest {
             new Vec2(1.8, 1),
             List.of(
                 List.of(
-                    new Vec2(0.8, 0.8), new Vec2(1.2, 0.8), new Vec2(1.2, 1.2), new Vec2(0.8, 1.2))),
+                    new Vec2(0.8, 0.8),
+                    new Vec2(1.2, 0.8),
+                    new Vec2(1.2, 1.2),
+                    new Vec2(0.8, 1.2))),
             List.of());
     // twice a tangent from (0.2, 1) to the circle of 0.1 m at the corner (0.8, 1.2) and an arc to
     // its top, and 0.4 m along the top. From the corner the start lies at 180 + 18.4 degrees, the
@@ -81,8 +84,7 @@ class ObstacleSceneTest {
             List.of(),
             List.of(new MovingDisc(0.04, new Vec2(0.5, 0.5), new Vec2(0.6, 0.5), 0.05)));
 
-    SceneDrive.Result result =
-        new SceneDrive(scene, SETTINGS, 0, new SplittableRandom(1)).run();
+    SceneDrive.Result result = new SceneDrive(scene, SETTINGS, 0, new SplittableRandom(1)).run();
 
     assertEquals(SceneDrive.End.HIT_STANDING, result.end());
     assertEquals(0, result.seconds());
@@ -99,8 +101,7 @@ class ObstacleSceneTest {
             List.of(),
             List.of());
 
-    SceneDrive.Result result =
-        new SceneDrive(scene, SETTINGS, 0, new SplittableRandom(1)).run();
+    SceneDrive.Result result = new SceneDrive(scene, SETTINGS, 0, new SplittableRandom(1)).run();
 
     assertTrue(result.isReached());
     assertEquals(0.8 - SceneDrive.THERE, result.metres(), 0.002); // a step is 2 mm long

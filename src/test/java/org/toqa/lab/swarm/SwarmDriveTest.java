@@ -88,9 +88,7 @@ class SwarmDriveTest {
   @Test
   void aSwarmThatSeesNothingIsLostAtTheFirstObstacle() {
     SwarmMap map = SwarmMap.named("simple");
-    SwarmSetup blind =
-        new SwarmSetup(
-            6, 0, 0, 0, 40, 60, 0, 0, 0, false, SETUP.keeping(), false);
+    SwarmSetup blind = new SwarmSetup(6, 0, 0, 0, 40, 60, 0, 0, 0, false, SETUP.keeping(), false);
     SwarmDrive.Result result = drive(map, blind, 2, 1);
 
     assertFalse(result.isReached());
