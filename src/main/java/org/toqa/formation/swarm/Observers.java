@@ -1,9 +1,7 @@
 package org.toqa.formation.swarm;
 
-import java.util.ArrayList;
 import java.util.List;
 import java.util.OptionalInt;
-import java.util.function.ToDoubleFunction;
 import org.toqa.geometry.Vec2;
 
 /**
@@ -26,42 +24,47 @@ public record Observers(OptionalInt left, OptionalInt middle, OptionalInt right)
     if (robots.isEmpty()) {
       return new Observers(OptionalInt.empty(), OptionalInt.empty(), OptionalInt.empty());
     }
-    Vec2 leader = VirtualLeader.position(robots);
-    List<Vec2> places =
-        robots.stream().map(r -> VirtualLeader.inFrame(r.position(), leader, direction)).toList();
-    List<Integer> rest = new ArrayList<>();
-    for (int i = 0; i < places.size(); i++) {
-      rest.add(i);
-    }
-    if (rest.size() == 1) {
+    int count = robots.size();
+    if (count == 1) {
       return new Observers(OptionalInt.empty(), OptionalInt.of(0), OptionalInt.empty());
     }
-    OptionalInt left = take(rest, places, Vec2::y, Vec2::x, width);
-    OptionalInt right = take(rest, places, p -> -p.y(), Vec2::x, width);
-    return new Observers(left, take(rest, places, Vec2::x, p -> -Math.abs(p.y()), width), right);
+    Vec2 leader = VirtualLeader.position(robots);
+    double[] ahead = new double[count];
+    double[] left = new double[count];
+    double[] right = new double[count];
+    double[] central = new double[count];
+    for (int i = 0; i < count; i++) {
+      Vec2 place = VirtualLeader.inFrame(robots.get(i).position(), leader, direction);
+      ahead[i] = place.x();
+      left[i] = place.y();
+      right[i] = -place.y();
+      central[i] = -Math.abs(place.y());
+    }
+    boolean[] taken = new boolean[count];
+    OptionalInt leftmost = take(taken, left, ahead, width);
+    OptionalInt rightmost = take(taken, right, ahead, width);
+    return new Observers(leftmost, take(taken, ahead, central, width), rightmost);
   }
 
-  /** The best by one measure, and of its equals by another; it is taken out of the rest. */
+  /** The best by one measure, and of its equals by another; no one is taken twice. */
   private static OptionalInt take(
-      List<Integer> rest,
-      List<Vec2> places,
-      ToDoubleFunction<Vec2> first,
-      ToDoubleFunction<Vec2> second,
-      double width) {
-    double most =
-        rest.stream().mapToDouble(i -> first.applyAsDouble(places.get(i))).max().orElse(0);
-    OptionalInt best = OptionalInt.empty();
-    for (int i : rest) {
-      boolean isEqual = most - first.applyAsDouble(places.get(i)) < width / 2;
-      if (isEqual
-          && (best.isEmpty()
-              || second.applyAsDouble(places.get(i))
-                  > second.applyAsDouble(places.get(best.getAsInt())))) {
-        best = OptionalInt.of(i);
+      boolean[] taken, double[] first, double[] second, double width) {
+    double most = Double.NEGATIVE_INFINITY;
+    for (int i = 0; i < taken.length; i++) {
+      most = taken[i] ? most : Math.max(most, first[i]);
+    }
+    int best = -1;
+    for (int i = 0; i < taken.length; i++) {
+      boolean isEqual = !taken[i] && most - first[i] < width / 2;
+      if (isEqual && (best < 0 || second[i] > second[best])) {
+        best = i;
       }
     }
-    best.ifPresent(i -> rest.remove(Integer.valueOf(i)));
-    return best;
+    if (best < 0) {
+      return OptionalInt.empty();
+    }
+    taken[best] = true;
+    return OptionalInt.of(best);
   }
 
   /** How many lidars are on. */
