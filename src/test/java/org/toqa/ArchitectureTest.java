@@ -120,7 +120,8 @@ class ArchitectureTest {
         .check(PRODUCT);
     noClasses()
         .that()
-        .resideOutsideOfPackages("org.toqa.planning.exact..", "org.toqa.app.bench..", "org.toqa.lab..")
+        .resideOutsideOfPackages(
+            "org.toqa.planning.exact..", "org.toqa.app.bench..", "org.toqa.lab..")
         .should()
         .dependOnClassesThat()
         .resideInAPackage("org.toqa.planning.exact..")

@@ -47,8 +47,7 @@ public record Observers(OptionalInt left, OptionalInt middle, OptionalInt right)
   }
 
   /** The best by one measure, and of its equals by another; no one is taken twice. */
-  private static OptionalInt take(
-      boolean[] taken, double[] first, double[] second, double width) {
+  private static OptionalInt take(boolean[] taken, double[] first, double[] second, double width) {
     double most = Double.NEGATIVE_INFINITY;
     for (int i = 0; i < taken.length; i++) {
       most = taken[i] ? most : Math.max(most, first[i]);
