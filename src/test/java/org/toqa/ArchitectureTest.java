@@ -130,7 +130,8 @@ class ArchitectureTest {
         .check(PRODUCT);
     noClasses()
         .that()
-        .resideOutsideOfPackages("org.toqa.planning.exact..", "org.toqa.app.bench..")
+        .resideOutsideOfPackages(
+            "org.toqa.planning.exact..", "org.toqa.app.bench..", "org.toqa.lab..")
         .should()
         .dependOnClassesThat()
         .resideInAPackage("org.toqa.planning.exact..")

@@ -1,0 +1,188 @@
+package org.toqa.lab.swarm;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.SplittableRandom;
+import org.toqa.formation.swarm.SwarmLaw;
+import org.toqa.geometry.Vec2;
+import org.toqa.lab.drawing.Chart;
+import org.toqa.lab.experiment.Experiment;
+import org.toqa.lab.experiment.Figure;
+import org.toqa.lab.experiment.Parameter;
+import org.toqa.lab.experiment.Report;
+import org.toqa.lab.experiment.Run;
+import org.toqa.lab.experiment.Table;
+import org.toqa.lab.experiment.Value;
+import org.toqa.lab.experiment.Verdict;
+import org.toqa.statistics.Percentiles;
+
+/**
+ * {@code virtual-leader-limits}: delay, a map that changes, and noise, which the paper names as its
+ * limits, with its law and with ours that keeps the shape and remembers where it was.
+ */
+public final class SwarmLimits implements Experiment {
+  private static final List<String> MAPS = List.of("simple", "complex");
+  private static final double[] SPEEDS = {0.5, 1, 1.5, 2};
+  private static final int TURN = 5;
+
+  /** Drives with each speed, map and condition in a run. */
+  private static final int DRIVES = 3;
+
+  @Override
+  public String name() {
+    return "virtual-leader-limits";
+  }
+
+  @Override
+  public String title() {
+    return "A swarm behind a virtual leader: its named limits, and without them";
+  }
+
+  @Override
+  public String source() {
+    return "Toibazarov, Baiseitov, Kyzyrkanov, Aljavarneh, Atanov 2023: section 6, limitations";
+  }
+
+  @Override
+  public List<Parameter> parameters() {
+    return SwarmSetup.PARAMETERS;
+  }
+
+  /** What the swarm is put under. */
+  private record Condition(
+      String name, int delay, double rangeNoise, double actuatorNoise, boolean isChanging) {
+    SwarmSetup of(SwarmSetup setup) {
+      return setup.under(delay, rangeNoise, actuatorNoise, isChanging);
+    }
+  }
+
+  private static final List<Condition> CONDITIONS =
+      List.of(
+          new Condition("as published", 0, 0, 0, false),
+          new Condition("delay of 10 steps", 10, 0, 0, false),
+          new Condition("delay of 30 steps", 30, 0, 0, false),
+          new Condition("ranges with 10 % noise", 0, 0.1, 0, false),
+          new Condition("wheels with 20 % noise", 0, 0, 0.2, false),
+          new Condition("wheels with 50 % noise", 0, 0, 0.5, false),
+          new Condition("an obstacle appears", 0, 0, 0, true),
+          new Condition("all of it", 10, 0.1, 0.2, true));
+
+  /** All drives under a condition. */
+  private record Drives(List<SwarmDrive.Result> results) {
+    long arrived() {
+      return results.stream().filter(SwarmDrive.Result::isReached).count();
+    }
+
+    double lost() {
+      return results.stream().mapToInt(SwarmDrive.Result::lost).average().orElse(0);
+    }
+
+    /** The median of the shape errors at the end, metres; NaN where none arrived. */
+    double shapeError() {
+      double[] errors =
+          results.stream()
+              .filter(SwarmDrive.Result::isReached)
+              .mapToDouble(SwarmDrive.Result::shapeError)
+              .toArray();
+      return errors.length == 0 ? Double.NaN : new Percentiles(errors).percentile(0.5);
+    }
+  }
+
+  @Override
+  public Report run(Run run) {
+    SwarmSetup published = SwarmSetup.of(run);
+    SwarmSetup extended = published.extended();
+    List<List<String>> rows = new ArrayList<>();
+    List<Figure> figures = new ArrayList<>();
+    for (int i = 0; i < CONDITIONS.size(); i++) {
+      Condition condition = CONDITIONS.get(i);
+      run.progress(i / (double) CONDITIONS.size(), condition.name());
+      Drives before = drives(condition.of(published), run);
+      Drives after = drives(condition.of(extended), run);
+      rows.add(row(condition.name(), "published", before));
+      rows.add(row(condition.name(), "extended", after));
+      figures.add(figure(condition.name(), before, after));
+    }
+    return new Report(
+        figures,
+        List.of(
+            new Table(
+                "limits",
+                "Both maps, w = 5, v = 0.5 to 2",
+                List.of("condition", "law", "arrived", "mean lost", "shape error (m)"),
+                rows)),
+        List.of(shape(published, extended, run)),
+        List.of(
+            "The paper says what it did not look at; it has no figures of it. The extended law"
+                + " drives each robot back to its place, keeps a clearance of a robot's width, and"
+                + " leaves loops by memory.",
+            "The shape error is the RMS distance of the robots from their wanted places."));
+  }
+
+  private static Drives drives(SwarmSetup setup, Run run) {
+    SwarmLaw law = SwarmLaw.published(Math.toRadians(TURN));
+    List<SwarmDrive.Result> results = new ArrayList<>();
+    for (String map : MAPS) {
+      SwarmMap one = SwarmMap.named(map);
+      for (double speed : SPEEDS) {
+        for (int i = 0; i < DRIVES * run.runs(); i++) {
+          run.checkStopped();
+          SplittableRandom random =
+              new SplittableRandom(run.seedOf(i) * 1_000_003 + (long) (speed * 10));
+          results.add(new SwarmDrive(one, setup, law, speed, random).run());
+        }
+      }
+    }
+    return new Drives(results);
+  }
+
+  private static List<String> row(String condition, String law, Drives drives) {
+    return List.of(
+        condition,
+        law,
+        drives.arrived() + " of " + drives.results().size(),
+        SwarmSweep.text(drives.lost(), 2),
+        SwarmSweep.text(drives.shapeError(), 2));
+  }
+
+  private static Figure figure(String condition, Drives before, Drives after) {
+    return new Figure(
+        condition + ": robots lost of nine, published law and extended law",
+        Value.of("not measured"),
+        Value.of(SwarmSweep.text(before.lost(), 2) + ", " + SwarmSweep.text(after.lost(), 2)),
+        Value.of(0, ""),
+        Verdict.NOT_COMPARABLE,
+        "The paper has no figure of it: a limit that it names.");
+  }
+
+  /** The first figure: how the shape is kept over the way. */
+  private static Chart shape(SwarmSetup published, SwarmSetup extended, Run run) {
+    List<Chart.Series> series = new ArrayList<>();
+    for (double noise : new double[] {0, 0.2}) {
+      series.add(
+          series("published law, wheels " + noise, published.under(0, 0, noise, false), run));
+      series.add(series("extended law, wheels " + noise, extended.under(0, 0, noise, false), run));
+    }
+    return new Chart(
+        "shape",
+        "RMS distance from the wanted places, simple map, v = 1, w = 5",
+        "way of the virtual leader (m)",
+        "m",
+        series);
+  }
+
+  private static Chart.Series series(String name, SwarmSetup setup, Run run) {
+    SwarmLaw law = SwarmLaw.published(Math.toRadians(TURN));
+    SwarmDrive.Result result =
+        new SwarmDrive(SwarmMap.named("simple"), setup, law, 1, new SplittableRandom(run.seed()))
+            .run();
+    List<Chart.Point> points = new ArrayList<>();
+    double driven = 0;
+    List<Vec2> track = result.track();
+    for (int i = 0; i < result.shapeErrors().size(); i++) {
+      driven += track.get(i).distanceTo(track.get(i + 1));
+      points.add(new Chart.Point(driven, result.shapeErrors().get(i)));
+    }
+    return new Chart.Series(name, points);
+  }
+}
