@@ -78,6 +78,7 @@ class FloorFilesPropertyTest {
     assertEquals(wanted.keepOut(), read.keepOut());
     assertEquals(wanted.speedLimits(), read.speedLimits());
     assertEquals(wanted.oneWay(), read.oneWay());
+    assertEquals(wanted.moves(), read.moves());
     List<Place> places = wanted.places().toList();
     List<Place> others = read.places().toList();
     assertEquals(wanted.stations().size(), read.stations().size());
@@ -121,7 +122,8 @@ class FloorFilesPropertyTest {
                 .toList(),
             areas(random, walls).stream()
                 .map(area -> new OneWay(area, direction(random)))
-                .toList());
+                .toList(),
+            random.nextBoolean() ? Moves.SMOOTH : Moves.HEADING);
     return new FloorMap(NAMES.get(random.nextInt(NAMES.size())), drawing, Margins.USUAL);
   }
 
