@@ -120,9 +120,7 @@ class FloorFilesPropertyTest {
             areas(random, walls).stream()
                 .map(area -> new SpeedLimit(area, 0.05 + 2.9 * random.nextDouble()))
                 .toList(),
-            areas(random, walls).stream()
-                .map(area -> new OneWay(area, direction(random)))
-                .toList(),
+            areas(random, walls).stream().map(area -> new OneWay(area, direction(random))).toList(),
             random.nextBoolean() ? Moves.SMOOTH : Moves.HEADING);
     return new FloorMap(NAMES.get(random.nextInt(NAMES.size())), drawing, Margins.USUAL);
   }

@@ -30,13 +30,13 @@ import org.toqa.wording.Sentence;
 /**
  * Who may drive where on one floor, and in which order.
  *
- * <p>A robot that wants to go somewhere is first offered a path of its own: the shortest one in eight
- * headings round stopped robots, or a smooth curve ({@link Moves}). It gets it if the cells that it sweeps meet nobody
- * else's, now or later; such paths need no order. Otherwise all robots are planned together from
- * where their released paths end, those without a goal too, so that they step aside; the plan's
- * order of visits to each cell is then kept ({@link JointPlan}). Few robots are planned whole
- * ({@link JointPlanner}); of many the next steps are, again as they drive on ({@link
- * LifelongPlanner}), and whole only where nobody has got on for long.
+ * <p>A robot that wants to go somewhere is first offered a path of its own: the shortest one in
+ * eight headings round stopped robots, or a smooth curve ({@link Moves}). It gets it if the cells
+ * that it sweeps meet nobody else's, now or later; such paths need no order. Otherwise all robots
+ * are planned together from where their released paths end, those without a goal too, so that they
+ * step aside; the plan's order of visits to each cell is then kept ({@link JointPlan}). Few robots
+ * are planned whole ({@link JointPlanner}); of many the next steps are, again as they drive on
+ * ({@link LifelongPlanner}), and whole only where nobody has got on for long.
  *
  * <p>Paths are released section by section. A section is released when it keeps off all that others
  * have still to drive of what was released to them, and whoever comes before may go on from there;

@@ -28,8 +28,8 @@ import org.toqa.planning.PlanResult;
 import org.toqa.traffic.RoadGraph;
 
 /**
- * A robot's own shortest path in eight headings with round corners, as if it were alone or round the
- * others; or, who wants to set out now, on a smooth curve instead, where the floor is set so.
+ * A robot's own shortest path in eight headings with round corners, as if it were alone or round
+ * the others; or, who wants to set out now, on a smooth curve instead, where the floor is set so.
  */
 final class SingleRobotPlanner {
   /** So many lane cells from its goal a robot may go straight there, in any heading. */

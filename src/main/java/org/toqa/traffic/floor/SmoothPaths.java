@@ -53,8 +53,8 @@ final class SmoothPaths {
   private static final int MOST_LAYOUTS = 8;
 
   /**
-   * Metres more than the margin: segments are within 0.001 m of their curve, and the chords by which
-   * an arc is looked at within 0.0005 m of the arc.
+   * Metres more than the margin: segments are within 0.001 m of their curve, and the chords by
+   * which an arc is looked at within 0.0005 m of the arc.
    */
   private static final double SLACK = 0.002;
 
@@ -162,8 +162,7 @@ final class SmoothPaths {
       return Optional.empty();
     }
     searchesLeft--;
-    SmoothResult result =
-        planner.plan(space, entry, exit, PlanningBudget.iterations(ITERATIONS));
+    SmoothResult result = planner.plan(space, entry, exit, PlanningBudget.iterations(ITERATIONS));
     if (!(result instanceof SmoothResult.Found(WayPath path))) {
       return Optional.empty();
     }
@@ -235,8 +234,7 @@ final class SmoothPaths {
             new BiarcFitter(robot.speeds()).fit(start.theta(), curve.pieces()).segments());
     if (heading != null) {
       double rate = robot.speeds().spotRate();
-      double turn =
-          Angles.difference(new Trajectory(start, segments).end().theta(), heading);
+      double turn = Angles.difference(new Trajectory(start, segments).end().theta(), heading);
       if (Math.abs(turn) > SMALLEST_TURN) {
         segments.add(new Segment(0, Math.copySign(rate, turn), Math.abs(turn) / rate));
       }
@@ -244,8 +242,7 @@ final class SmoothPaths {
     OccupancyGrid grid = freeSpace.grid();
     double spacing = LaneGrid.side(grid, 2 * robot.radius()) * grid.resolution();
     List<Segment> pieces = segments.stream().flatMap(s -> cut(s, spacing).stream()).toList();
-    return fitter.split(
-        robot, new Trajectory(start, pieces), new PassingPlaces.Spaced(spacing));
+    return fitter.split(robot, new Trajectory(start, pieces), new PassingPlaces.Spaced(spacing));
   }
 
   /** An arc in pieces no longer than the robot may drive without a place to stop. */

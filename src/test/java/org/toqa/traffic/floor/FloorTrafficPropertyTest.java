@@ -101,12 +101,7 @@ class FloorTrafficPropertyTest {
 
   /** A floor with the robots r0, r1 ..., which are at the first places after a shuffle. */
   private static DrivenFloor floorWithRobots(
-      OccupancyGrid grid,
-      Moves moves,
-      List<Cell> free,
-      int robots,
-      Random random,
-      long seed) {
+      OccupancyGrid grid, Moves moves, List<Cell> free, int robots, Random random, long seed) {
     Collections.shuffle(free, random);
     DrivenFloor floor = new DrivenFloor(grid, moves, seed);
     for (int i = 0; i < robots; i++) {

@@ -59,7 +59,8 @@ class SmoothPathsTest {
   }
 
   /** What a robot is told that faces east at a start. */
-  private static Trajectory told(FloorTraffic traffic, Vec2 from, Vec2 to, @Nullable Double facing) {
+  private static Trajectory told(
+      FloorTraffic traffic, Vec2 from, Vec2 to, @Nullable Double facing) {
     traffic.reportStanding("r", new Pose(from.x(), from.y(), 0), 2 * RADIUS, Instant.EPOCH);
     traffic.setMovable("r", true);
     traffic.setGoal("r", to, facing, Instant.EPOCH);
@@ -89,14 +90,14 @@ class SmoothPathsTest {
 
   private static double leastGap(OccupancyGrid grid, BitSet cells, Trajectory driven) {
     return points(driven).stream()
-        .mapToDouble(
-            at ->
-                cells.stream()
-                    .mapToDouble(cell -> Disc.distanceToCell(grid, at, grid.cell(cell)))
-                    .min()
-                    .orElseThrow())
-        .min()
-        .orElseThrow()
+            .mapToDouble(
+                at ->
+                    cells.stream()
+                        .mapToDouble(cell -> Disc.distanceToCell(grid, at, grid.cell(cell)))
+                        .min()
+                        .orElseThrow())
+            .min()
+            .orElseThrow()
         - RADIUS;
   }
 
