@@ -89,6 +89,11 @@
       <p id="resize-said" class="faint" role="status"></p>
     </details>
     <details>
+      <summary><fmt:message key="editor.moves"/></summary>
+      <label><fmt:message key="editor.moves.choice"/><select id="moves" aria-describedby="moves-hint" autocomplete="off" disabled><c:forTokens items="heading,smooth" delims="," var="moves"><option value="${moves}"><fmt:message key="editor.moves.${moves}"/></option></c:forTokens></select></label>
+      <small id="moves-hint" class="faint"><fmt:message key="editor.moves.hint"/></small>
+    </details>
+    <details>
       <summary><fmt:message key="editor.files"/></summary>
       <label><fmt:message key="editor.import.file"/><input type="file" id="import-file" accept=".zip,.png,.map" aria-describedby="import-hint"></label>
       <small id="import-hint" class="faint"><fmt:message key="editor.import.hint"/></small>
@@ -142,5 +147,5 @@
   </dialog>
   <c:set var="kinds" value=""/>
   <c:forTokens items="stations,parking,charging,keepOut,speedLimits,oneWay" delims="," var="kind"><c:set var="kinds" value="${kinds} editor.kind.${kind}"/></c:forTokens>
-  <t:texts keys="map.loggedOut common.comma editor.away editor.unsaved editor.state.none editor.state.saved editor.state.saving editor.state.conflict editor.said.walls editor.said.free editor.said.moved editor.said.measured editor.said.selected editor.said.added editor.said.removed editor.said.undo editor.said.redo editor.said.begun editor.said.cancelled map.speedLimit editor.error.number editor.error.name editor.error.nameTwice editor.checking editor.noProblems editor.problems.count editor.problem.blocking editor.problem.warning editor.publish.unsaved editor.published editor.discarded editor.changes editor.changes.none editor.changes.otherGrid editor.change.added editor.change.removed editor.change.changed editor.import.choose editor.import.reading editor.import.done editor.resize.wrong editor.resize.done editor.newName.stations editor.newName.parking editor.newName.charging editor.describe.place editor.describe.area editor.cell editor.cell.wall editor.cell.free editor.size loads.size common.position editor.conflict.changed editor.conflict.gone editor.conflict.loaded editor.conflict.kept${kinds}"/>
+  <t:texts keys="map.loggedOut common.comma editor.away editor.unsaved editor.state.none editor.state.saved editor.state.saving editor.state.conflict editor.said.walls editor.said.free editor.said.moved editor.said.measured editor.said.selected editor.said.added editor.said.removed editor.said.undo editor.said.redo editor.said.begun editor.said.cancelled map.speedLimit editor.error.number editor.error.name editor.error.nameTwice editor.checking editor.noProblems editor.problems.count editor.problem.blocking editor.problem.warning editor.publish.unsaved editor.published editor.discarded editor.changes editor.changes.none editor.changes.otherGrid editor.changes.moves editor.said.moves editor.moves.heading editor.moves.smooth editor.change.added editor.change.removed editor.change.changed editor.import.choose editor.import.reading editor.import.done editor.resize.wrong editor.resize.done editor.newName.stations editor.newName.parking editor.newName.charging editor.describe.place editor.describe.area editor.cell editor.cell.wall editor.cell.free editor.size loads.size common.position editor.conflict.changed editor.conflict.gone editor.conflict.loaded editor.conflict.kept${kinds}"/>
 </t:page>

@@ -9,6 +9,7 @@ import java.util.stream.Stream;
  *
  * @param walls occupied where a wall or something else stands that never moves
  * @param keepOut where nobody drives
+ * @param moves by which robots drive alone
  */
 public record FloorDrawing(
     OccupancyGrid walls,
@@ -17,7 +18,8 @@ public record FloorDrawing(
     List<Place> charging,
     List<Area> keepOut,
     List<SpeedLimit> speedLimits,
-    List<OneWay> oneWay) {
+    List<OneWay> oneWay,
+    Moves moves) {
 
   public FloorDrawing {
     stations = List.copyOf(stations);
@@ -28,6 +30,18 @@ public record FloorDrawing(
     oneWay = List.copyOf(oneWay);
   }
 
+  /** With the usual moves. */
+  public FloorDrawing(
+      OccupancyGrid walls,
+      List<Place> stations,
+      List<Place> parking,
+      List<Place> charging,
+      List<Area> keepOut,
+      List<SpeedLimit> speedLimits,
+      List<OneWay> oneWay) {
+    this(walls, stations, parking, charging, keepOut, speedLimits, oneWay, Moves.HEADING);
+  }
+
   /** Walls alone. */
   public static FloorDrawing of(OccupancyGrid walls) {
     return new FloorDrawing(
@@ -35,7 +49,13 @@ public record FloorDrawing(
   }
 
   public FloorDrawing withWalls(OccupancyGrid others) {
-    return new FloorDrawing(others, stations, parking, charging, keepOut, speedLimits, oneWay);
+    return new FloorDrawing(
+        others, stations, parking, charging, keepOut, speedLimits, oneWay, moves);
+  }
+
+  public FloorDrawing withMoves(Moves others) {
+    return new FloorDrawing(
+        walls, stations, parking, charging, keepOut, speedLimits, oneWay, others);
   }
 
   /** The stations, then the parking points, then the charging points. */

@@ -86,6 +86,11 @@ public final class FloorMap {
     return drawing.charging();
   }
 
+  /** By which robots drive alone. */
+  public Moves moves() {
+    return drawing.moves();
+  }
+
   public Margins margins() {
     return margins;
   }

@@ -25,6 +25,7 @@ import org.toqa.geometry.Vec2;
  *   - {x: 3.0, y: 5.0, width: 1.2, height: 0.6, speed: 0.2}
  * oneWay:                         # east, north, west or south
  *   - {x: 3.0, y: 6.0, width: 1.2, height: 0.6, direction: east}
+ * moves: smooth                   # or heading, as where nothing is said
  * </pre>
  */
 public final class FloorReader {
@@ -35,6 +36,7 @@ public final class FloorReader {
   static final String KEEP_OUT = "keepOut";
   static final String SPEED_LIMITS = "speedLimits";
   static final String ONE_WAY = "oneWay";
+  static final String MOVES = "moves";
 
   private FloorReader() {}
 
@@ -82,7 +84,7 @@ public final class FloorReader {
       throws MapFormatException {
     YamlFields yaml =
         YamlFields.read(
-            file, List.of(STATIONS, PARKING, CHARGING, KEEP_OUT, SPEED_LIMITS, ONE_WAY));
+            file, List.of(STATIONS, PARKING, CHARGING, KEEP_OUT, SPEED_LIMITS, ONE_WAY, MOVES));
     List<Area> keepOut = new ArrayList<>();
     for (YamlFields zone : items(yaml, KEEP_OUT)) {
       keepOut.add(area(zone));
@@ -109,7 +111,21 @@ public final class FloorReader {
         places(yaml, CHARGING, drivable, names),
         keepOut,
         speedLimits,
-        oneWay);
+        oneWay,
+        moves(yaml));
+  }
+
+  private static Moves moves(YamlFields yaml) throws MapFormatException {
+    if (!yaml.has(MOVES)) {
+      return Moves.HEADING;
+    }
+    String word = yaml.text(MOVES);
+    return Moves.ofWord(word)
+        .orElseThrow(
+            () ->
+                yaml.error(
+                    MOVES,
+                    "is one of " + String.join(", ", Moves.words()) + ", not '" + word + "'."));
   }
 
   private static List<YamlFields> items(YamlFields yaml, String key, String... more)

@@ -94,6 +94,9 @@ public final class FloorWriter {
         FloorReader.ONE_WAY,
         drawing.oneWay(),
         oneWay -> area(oneWay.area()) + ", direction: " + oneWay.direction().word());
+    if (drawing.moves() != Moves.HEADING) {
+      yaml.append(FloorReader.MOVES).append(": ").append(drawing.moves().word()).append('\n');
+    }
     return yaml.isEmpty() ? "stations: []\n" : yaml.toString();
   }
 

@@ -7,17 +7,19 @@ export class Difference {
   added = []; // runs of cells of the drawing that are walls now: {column, row, count}
   removed = []; // runs of cells that were
   things = []; // {kind, change, thing} with change added, removed or changed
+  moves; // by which robots drive alone, where that is another than in force
   isOtherGrid = false; // cells of another size or place: they cannot be compared
 
   /** @param inForce json of the drawing in force */
   constructor(drawing, inForce) {
     const before = new Drawing(inForce);
+    this.moves = drawing.moves === before.moves ? undefined : drawing.moves;
     this.#compareThings(drawing.things, before.things);
     this.#compareWalls(drawing, before);
   }
 
   get isEmpty() {
-    return this.added.length + this.removed.length + this.things.length === 0 && !this.isOtherGrid;
+    return this.added.length + this.removed.length + this.things.length === 0 && !this.moves && !this.isOtherGrid;
   }
 
   get addedCount() {

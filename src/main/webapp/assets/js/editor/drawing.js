@@ -9,15 +9,17 @@ export class Drawing {
   grid; // {width, height, resolution, origin}: cells, metres
   walls; // 1 where a cell is wall, row by row from the top
   things; // a list for each of KINDS; never changed, only replaced
+  moves; // by which robots drive alone: heading or smooth
 
   /** @param json as the API gives a drawing */
   constructor(json) {
-    const {width, height, resolution, origin, occupied = []} = json;
+    const {width, height, resolution, origin, occupied = [], moves = 'heading'} = json;
     this.grid = {width, height, resolution, origin};
     this.walls = new Uint8Array(width * height);
     for (const {column, row, count} of rowsOf(occupied, width)) {
       this.walls.fill(1, row * width + column, row * width + column + count);
     }
+    this.moves = moves;
     this.things = Object.fromEntries(KINDS.map((kind) => [kind, json[kind] ?? []]));
   }
 
@@ -31,7 +33,7 @@ export class Drawing {
       occupied.push(from, to - from);
       from = walls.indexOf(1, to);
     }
-    return {...this.grid, occupied, ...this.things};
+    return {...this.grid, occupied, ...this.things, moves: this.moves};
   }
 
   /** Metres. */
@@ -111,7 +113,7 @@ export class Drawing {
         }
       }
     }
-    return {...wider.toJson(), ...this.things};
+    return {...wider.toJson(), ...this.things, moves: this.moves};
   }
 }
 

@@ -237,6 +237,8 @@ class Editor {
     }
     $('#undo').disabled = !this.edits.canUndo;
     $('#redo').disabled = !this.edits.canRedo;
+    $('#moves').disabled = false;
+    $('#moves').value = this.drawing.moves;
     this.#panel.update();
     const {width, height, resolution} = this.drawing.grid;
     const size = text('loads.size', metres(width * resolution), metres(height * resolution));
@@ -252,6 +254,10 @@ class Editor {
     $('#brush-width').addEventListener('change', ({target}) => {
       this.options.width = Math.min(WIDEST, Math.max(1, Math.round(numberIn(target) ?? 1)));
       target.value = this.options.width;
+    });
+    $('#moves').addEventListener('change', ({target}) => {
+      this.edits.setMoves(target.value);
+      this.say(text('editor.said.moves', text(`editor.moves.${target.value}`)));
     });
     $('#filled').addEventListener('change', ({target}) => (this.options.isFilled = target.checked));
   }

@@ -2,7 +2,7 @@ import {Drawing} from './drawing.js';
 
 /**
  * Changes a drawing, one step after the other, each of which can be undone and done again. A step is cells that became
- * wall or free, other things, or another drawing as a whole.
+ * wall or free, other things, other moves of robots, or another drawing as a whole.
  */
 export class Edits {
   drawing;
@@ -63,10 +63,18 @@ export class Edits {
 
   /** @param things lists of the kinds that are to be other ones */
   setThings(things) {
-    const before = this.drawing.things;
-    const after = {...before, ...things};
-    this.drawing.things = after;
-    this.#remember({before: {things: before}, after: {things: after}});
+    this.#set('things', {...this.drawing.things, ...things});
+  }
+
+  /** @param moves by which robots drive alone: heading or smooth */
+  setMoves(moves) {
+    this.#set('moves', moves);
+  }
+
+  #set(field, value) {
+    const before = this.drawing[field];
+    this.drawing[field] = value;
+    this.#remember({before: {[field]: before}, after: {[field]: value}});
     this.#onChange([], true);
   }
 

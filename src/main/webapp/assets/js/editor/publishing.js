@@ -138,9 +138,11 @@ export class Publishing {
     if (difference.isOtherGrid) {
       return text('editor.changes.otherGrid');
     }
-    const {addedCount, removedCount, things} = difference;
-    return difference.isEmpty
-      ? text('editor.changes.none')
-      : text('editor.changes', addedCount, removedCount, things.length);
+    if (difference.isEmpty) {
+      return text('editor.changes.none');
+    }
+    const {addedCount, removedCount, things, moves} = difference;
+    const drawn = text('editor.changes', addedCount, removedCount, things.length);
+    return moves ? text('editor.changes.moves', drawn, text(`editor.moves.${moves}`)) : drawn;
   }
 }

@@ -32,6 +32,7 @@ class FloorReaderTest {
     assertEquals("hall", floor.name());
     assertEquals(OccupancyGrid.parse("#...", "....", "...."), floor.grid());
     assertEquals(List.of(), floor.stations());
+    assertEquals(Moves.HEADING, floor.moves());
   }
 
   @Test
@@ -48,12 +49,14 @@ class FloorReaderTest {
         keepOut:
           - {x: 1, y: 0, width: 1.2, height: 1}
           - {x: -50, y: 2.5, width: 52, height: 100}
+        moves: smooth
         """);
     FloorMap floor = FloorReader.read(map);
     assertEquals(OccupancyGrid.parse("##..", "....", ".##."), floor.grid());
     assertEquals(List.of(new Place("Packing", new Vec2(0.5, 1.5))), floor.stations());
     assertEquals(Optional.of(new Place("C1", new Vec2(3.5, 2.5))), floor.place("C1"));
     assertTrue(floor.place("P2").isEmpty());
+    assertEquals(Moves.SMOOTH, floor.moves());
   }
 
   @ParameterizedTest
@@ -74,6 +77,8 @@ class FloorReaderTest {
           stations: [{name: '', x: 1.5, y: 1.5}]                   | 1 to 64 letters
           stations: [{name: 7, x: 1.5, y: 1.5}]                    | quotes
           keepOut: [{x: 1, y: 1, width: 0, height: 1}]             | larger than 0
+          moves: curvy                                             | one of heading, smooth, not 'curvy'
+          moves: [smooth]                                          | key 'moves': expected text
           !!javax.script.ScriptEngineManager []                    | not valid YAML
           just text                                                | expected keys
           """)

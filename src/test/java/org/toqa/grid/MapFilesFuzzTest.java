@@ -106,7 +106,8 @@ class MapFilesFuzzTest {
             List.of(),
             List.of(area),
             List.of(new SpeedLimit(area, 0.3)),
-            List.of(new OneWay(area, Direction.WEST)));
+            List.of(new OneWay(area, Direction.WEST)),
+            Moves.SMOOTH);
     FloorMap floor = new FloorMap("m", drawing, Margins.USUAL);
     MapArchive archive = FloorWriter.mapServerFiles("m", drawing);
     Map<String, byte[]> ros = new LinkedHashMap<>();

@@ -96,6 +96,7 @@ public final class FloorAgent extends AbstractBehavior<FloorMessage> {
         new FloorTraffic(
             floor.grid(),
             floor.margins(),
+            floor.moves(),
             new TimedPlanner(new LacamJointPlanner(), runtime),
             apart -> new TimedLifelongPlanner(FloorTraffic.rollingPlanner(apart), runtime),
             () -> Deadline.in(PLANNING_LIMIT, runtime::nanoTime),

@@ -16,6 +16,7 @@ import java.util.function.DoubleFunction;
 import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
 import org.toqa.grid.Margins;
+import org.toqa.grid.Moves;
 import org.toqa.grid.OccupancyGrid;
 import org.toqa.traffic.Deadline;
 import org.toqa.traffic.JointPlanner;
@@ -39,18 +40,20 @@ final class FloorPlanner {
   private final RoomMaker roomMaker;
 
   /**
+   * @param moves by which robots drive alone
    * @param nextSteps planners of the next steps of robots that keep apart so many cells
    * @param planningDeadline by when a plan for all robots that begins now is to be ready
    */
   FloorPlanner(
       OccupancyGrid grid,
       Margins margins,
+      Moves moves,
       JointPlanner jointPlanner,
       DoubleFunction<LifelongPlanner> nextSteps,
       Supplier<Deadline> planningDeadline) {
     SectionFitter fitter = new SectionFitter();
     this.freeSpace = new FreeSpace(grid, margins);
-    this.singleRobotPlanner = new SingleRobotPlanner(freeSpace, fitter);
+    this.singleRobotPlanner = new SingleRobotPlanner(freeSpace, fitter, moves);
     this.rightOfWay = new RightOfWay(singleRobotPlanner);
     this.lanePlanner =
         new LanePlanner(
@@ -68,6 +71,7 @@ final class FloorPlanner {
     Map<String, TrafficRobot> robots = new TreeMap<>();
     request.robots().forEach(pictured -> robots.put(pictured.name, pictured.copy()));
     freeSpace.setObstacles(request.obstacles());
+    singleRobotPlanner.begin();
     singleRobotPlanner.keepFormations(robots.values());
     rightOfWay.update(robots.values(), request.now());
     rightOfWay.freePathsOver(robots.values());

@@ -16,6 +16,7 @@ import org.jspecify.annotations.Nullable;
 import org.toqa.geometry.Pose;
 import org.toqa.geometry.Vec2;
 import org.toqa.grid.Margins;
+import org.toqa.grid.Moves;
 import org.toqa.grid.OccupancyGrid;
 import org.toqa.motion.DriveSpeeds;
 import org.toqa.motion.Trajectory;
@@ -29,13 +30,13 @@ import org.toqa.wording.Sentence;
 /**
  * Who may drive where on one floor, and in which order.
  *
- * <p>A robot that wants to go somewhere is first offered a smooth path of its own: the shortest one
- * in eight headings round stopped robots. It gets it if the cells that it sweeps meet nobody
- * else's, now or later; such paths need no order. Otherwise all robots are planned together from
- * where their released paths end, those without a goal too, so that they step aside; the plan's
- * order of visits to each cell is then kept ({@link JointPlan}). Few robots are planned whole
- * ({@link JointPlanner}); of many the next steps are, again as they drive on ({@link
- * LifelongPlanner}), and whole only where nobody has got on for long.
+ * <p>A robot that wants to go somewhere is first offered a path of its own: the shortest one in
+ * eight headings round stopped robots, or a smooth curve ({@link Moves}). It gets it if the cells
+ * that it sweeps meet nobody else's, now or later; such paths need no order. Otherwise all robots
+ * are planned together from where their released paths end, those without a goal too, so that they
+ * step aside; the plan's order of visits to each cell is then kept ({@link JointPlan}). Few robots
+ * are planned whole ({@link JointPlanner}); of many the next steps are, again as they drive on
+ * ({@link LifelongPlanner}), and whole only where nobody has got on for long.
  *
  * <p>Paths are released section by section. A section is released when it keeps off all that others
  * have still to drive of what was released to them, and whoever comes before may go on from there;
@@ -85,7 +86,13 @@ public final class FloorTraffic {
       JointPlanner jointPlanner,
       Supplier<Deadline> planningDeadline) {
     this(
-        grid, margins, jointPlanner, FloorTraffic::rollingPlanner, planningDeadline, Runnable::run);
+        grid,
+        margins,
+        Moves.HEADING,
+        jointPlanner,
+        FloorTraffic::rollingPlanner,
+        planningDeadline,
+        Runnable::run);
   }
 
   /** A planner of the next steps of robots that keep apart so many cells. */
@@ -94,6 +101,7 @@ public final class FloorTraffic {
   }
 
   /**
+   * @param moves by which robots drive alone
    * @param nextSteps planners of the next steps of robots that keep apart so many cells
    * @param planningDeadline by when a plan for all robots that begins now is to be ready
    * @param planning what plans, one thing at a time
@@ -101,6 +109,7 @@ public final class FloorTraffic {
   public FloorTraffic(
       OccupancyGrid grid,
       Margins margins,
+      Moves moves,
       JointPlanner jointPlanner,
       DoubleFunction<LifelongPlanner> nextSteps,
       Supplier<Deadline> planningDeadline,
@@ -113,7 +122,7 @@ public final class FloorTraffic {
             robots,
             claims,
             trigger,
-            new FloorPlanner(grid, margins, jointPlanner, nextSteps, planningDeadline),
+            new FloorPlanner(grid, margins, moves, jointPlanner, nextSteps, planningDeadline),
             planning);
   }
 

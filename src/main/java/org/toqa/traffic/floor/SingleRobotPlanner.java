@@ -19,6 +19,7 @@ import org.toqa.geometry.Vec2;
 import org.toqa.geometry.Waypoint;
 import org.toqa.grid.Cell;
 import org.toqa.grid.MoveRules;
+import org.toqa.grid.Moves;
 import org.toqa.grid.OccupancyGrid;
 import org.toqa.planning.HeadingAStar;
 import org.toqa.planning.Path;
@@ -27,7 +28,8 @@ import org.toqa.planning.PlanResult;
 import org.toqa.traffic.RoadGraph;
 
 /**
- * A robot's own shortest path in eight headings, smooth, as if it were alone or round the others.
+ * A robot's own shortest path in eight headings with round corners, as if it were alone or round
+ * the others; or, who wants to set out now, on a smooth curve instead, where the floor is set so.
  */
 final class SingleRobotPlanner {
   /** So many lane cells from its goal a robot may go straight there, in any heading. */
@@ -42,13 +44,25 @@ final class SingleRobotPlanner {
   private final SectionFitter fitter;
   private final PathEnds ends;
   private final FormationPlanner formationPlanner;
+
+  /** Null: the floor's robots drive no smooth curves. */
+  private final @Nullable SmoothPaths smoothPaths;
+
   private final PathPlanner planner = new HeadingAStar();
 
-  SingleRobotPlanner(FreeSpace freeSpace, SectionFitter fitter) {
+  SingleRobotPlanner(FreeSpace freeSpace, SectionFitter fitter, Moves moves) {
     this.freeSpace = freeSpace;
     this.fitter = fitter;
     this.ends = new PathEnds(freeSpace);
     this.formationPlanner = new FormationPlanner(freeSpace.grid(), freeSpace.margins(), fitter);
+    this.smoothPaths = moves == Moves.SMOOTH ? new SmoothPaths(freeSpace, fitter) : null;
+  }
+
+  /** Another plan of the floor begins. */
+  void begin() {
+    if (smoothPaths != null) {
+      smoothPaths.begin();
+    }
   }
 
   /** As if no other robot were there; empty where the floor has no path. */
@@ -167,9 +181,32 @@ final class SingleRobotPlanner {
     FormationFootprint formation = robot.formation();
     Vec2 goal = robot.goal();
     return formation == null || goal == null
-        ? pathAmong(robot, claimed)
+        ? pathAmong(robot, claimed).map(straight -> smoothInstead(robot, claimed, straight))
         : formationPlanner.freePath(
             robot, formation, goal, freeSpace.seenBy(robot).blocked(), claimed, now);
+  }
+
+  /**
+   * A smooth path instead of another one, if it keeps as much room from walls, takes not much
+   * longer, and keeps all else that the other one keeps.
+   */
+  private List<Section> smoothInstead(
+      TrafficRobot robot, List<SweptArea> claimed, List<Section> straight) {
+    if (smoothPaths == null) {
+      return straight;
+    }
+    double longest = DETOUR * duration(straight);
+    double room = room(robot, straight);
+    return smoothPaths
+        .first(
+            robot,
+            claimed,
+            smooth ->
+                duration(smooth) <= longest
+                    && isClearAndRight(robot, smooth)
+                    && keepsOff(robot, smooth, claimed)
+                    && room(robot, smooth) >= room)
+        .orElse(straight);
   }
 
   private Optional<List<Section>> formationPath(
@@ -236,17 +273,17 @@ final class SingleRobotPlanner {
     if (goal == null) {
       return Optional.empty();
     }
+    return fittedPath(free, robot, goal, sections -> keepsOff(robot, sections, claimed));
+  }
+
+  private static boolean keepsOff(
+      TrafficRobot robot, List<Section> sections, List<SweptArea> claimed) {
     SweptArea standing = robot.areaAt(robot.committedEnd());
-    return fittedPath(
-        free,
-        robot,
-        goal,
-        sections ->
-            sections.stream()
-                .allMatch(
-                    section ->
-                        claimed.stream()
-                            .allMatch(area -> Clearance.isKept(standing, section.area(), area))));
+    return sections.stream()
+        .allMatch(
+            section ->
+                claimed.stream()
+                    .allMatch(area -> Clearance.isKept(standing, section.area(), area)));
   }
 
   private OccupancyGrid freeCells(TrafficRobot robot, double room, List<SweptArea> claimed) {
@@ -263,10 +300,7 @@ final class SingleRobotPlanner {
   private Optional<List<Section>> fittedPath(
       OccupancyGrid free, TrafficRobot robot, Cell goal, Predicate<List<Section>> isAcceptable) {
     Predicate<List<Section>> isClearAndRight =
-        sections ->
-            isClear(robot, sections)
-                && DirectionCheck.isKept(freeSpace.grid().rules(), robot.committedEnd(), sections)
-                && isAcceptable.test(sections);
+        sections -> isClearAndRight(robot, sections) && isAcceptable.test(sections);
     Optional<List<Section>> best =
         straightToGoal(robot, goal)
             .flatMap(waypoints -> firstFit(robot, waypoints, isClearAndRight));
@@ -287,6 +321,11 @@ final class SingleRobotPlanner {
             overCells.flatMap(
                 waypoints ->
                     firstFit(robot, viaCellCentre(free, robot, waypoints), isClearAndRight)));
+  }
+
+  private boolean isClearAndRight(TrafficRobot robot, List<Section> sections) {
+    return isClear(robot, sections)
+        && DirectionCheck.isKept(freeSpace.grid().rules(), robot.committedEnd(), sections);
   }
 
   private boolean keepsMargin(TrafficRobot robot, Optional<List<Section>> path) {

@@ -26,7 +26,8 @@ record DrawingJson(
     List<PlaceJson> charging,
     List<AreaJson> keepOut,
     List<AreaJson> speedLimits,
-    List<AreaJson> oneWay) {
+    List<AreaJson> oneWay,
+    String moves) {
 
   /** Metres, map frame; degrees counter-clockwise from east. */
   @JsonInclude(JsonInclude.Include.NON_NULL)
@@ -86,6 +87,7 @@ record DrawingJson(
             .toList(),
         drawing.oneWay().stream()
             .map(way -> AreaJson.of(way.area(), null, way.direction()))
-            .toList());
+            .toList(),
+        drawing.moves().word());
   }
 }

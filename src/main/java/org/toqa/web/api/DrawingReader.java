@@ -16,6 +16,7 @@ import org.toqa.grid.Direction;
 import org.toqa.grid.FloorDrawing;
 import org.toqa.grid.FloorLimits;
 import org.toqa.grid.MapLimits;
+import org.toqa.grid.Moves;
 import org.toqa.grid.OccupancyGrid;
 import org.toqa.grid.OneWay;
 import org.toqa.grid.Place;
@@ -50,7 +51,8 @@ final class DrawingReader {
             reader.places("charging"),
             reader.areas("keepOut", (item, area) -> area),
             reader.areas("speedLimits", (item, area) -> new SpeedLimit(area, speed(item))),
-            reader.areas("oneWay", (item, area) -> new OneWay(area, direction(item, "direction"))));
+            reader.areas("oneWay", (item, area) -> new OneWay(area, direction(item, "direction"))),
+            moves(fields));
     fields.refuseUnknown();
     return drawing;
   }
@@ -178,6 +180,19 @@ final class DrawingReader {
             () -> {
               refuse(item, name, "error.drawing.direction");
               return Direction.EAST;
+            });
+  }
+
+  private static Moves moves(JsonFields fields) {
+    String given = fields.text("moves");
+    if (given == null) {
+      return Moves.HEADING;
+    }
+    return Moves.ofWord(given)
+        .orElseGet(
+            () -> {
+              refuse(fields, "moves", "error.drawing.moves");
+              return Moves.HEADING;
             });
   }
 

@@ -84,7 +84,8 @@ class FloorsOfServerTest {
                   "occupied", List.of(),
                   "stations", List.of(place("Hatch", 0.75), place("Window", 5.25)),
                   "parking", List.of(),
-                  "charging", List.of());
+                  "charging", List.of(),
+                  "moves", "smooth");
           Map<String, Object> change =
               Map.of("revision", draft.get("revision").asLong(), "drawing", drawing);
           JsonNode saved = api.put("floors/attic/draft", change).body();
@@ -114,6 +115,7 @@ class FloorsOfServerTest {
         (toqa, api) -> {
           assertEquals(List.of("lab", "offices", "attic"), names(api.get("floors")));
           assertEquals(2, api.get("map?floor=attic").get("stations").size());
+          assertEquals("smooth", api.get("floors/attic").at("/drawing/moves").asString());
           assertTrue(api.delete("floors/attic").isAccepted());
           assertEquals(409, api.delete("floors/lab").status(), "it has a robot");
         });

@@ -21,6 +21,7 @@ import org.toqa.geometry.Pose;
 import org.toqa.geometry.Vec2;
 import org.toqa.grid.Cell;
 import org.toqa.grid.Margins;
+import org.toqa.grid.Moves;
 import org.toqa.grid.OccupancyGrid;
 import org.toqa.motion.DriveSpeeds;
 import org.toqa.traffic.Deadline;
@@ -75,6 +76,11 @@ final class DrivenFloor {
     this(grid, seed, Duration.ZERO);
   }
 
+  /** The same by such moves. */
+  DrivenFloor(OccupancyGrid grid, Moves moves, long seed) {
+    this(grid, moves, seed, Duration.ZERO, PLANNING_LIMIT);
+  }
+
   /** Each plan takes a time of its own. */
   DrivenFloor(OccupancyGrid grid, long seed, Duration mostPlanning) {
     this(grid, seed, mostPlanning, PLANNING_LIMIT);
@@ -85,6 +91,11 @@ final class DrivenFloor {
    * @param planningLimit what planning all robots together may look for; see {@link #NANOS_A_LOOK}
    */
   DrivenFloor(OccupancyGrid grid, long seed, Duration mostPlanning, Duration planningLimit) {
+    this(grid, Moves.HEADING, seed, mostPlanning, planningLimit);
+  }
+
+  private DrivenFloor(
+      OccupancyGrid grid, Moves moves, long seed, Duration mostPlanning, Duration planningLimit) {
     this.grid = grid;
     this.areas = new AreaJudge(grid.rules());
     this.chance = new SplittableRandom(seed);
@@ -93,6 +104,7 @@ final class DrivenFloor {
         new FloorTraffic(
             grid,
             Margins.USUAL,
+            moves,
             new LacamJointPlanner(),
             FloorTraffic::rollingPlanner,
             () -> Deadline.in(planningLimit, this::planningNanos),

@@ -21,6 +21,7 @@ import org.toqa.geometry.Pose;
 import org.toqa.geometry.Vec2;
 import org.toqa.grid.Cell;
 import org.toqa.grid.Disc;
+import org.toqa.grid.Moves;
 import org.toqa.grid.OccupancyGrid;
 import org.toqa.testbed.Cases;
 import org.toqa.traffic.RoadGraph;
@@ -44,6 +45,10 @@ class FloorTrafficPropertyTest {
 
   /** Whether there was room for robots; the floors of the other kinds answer the same. */
   static boolean driveToThreeGoals(long seed) {
+    return driveToThreeGoals(seed, Moves.HEADING);
+  }
+
+  static boolean driveToThreeGoals(long seed, Moves moves) {
     Random random = new Random(seed);
     OccupancyGrid grid = withAreas(aisles(random), seed);
     List<Cell> free = largestPart(grid);
@@ -51,7 +56,7 @@ class FloorTrafficPropertyTest {
     if (robots < 1) {
       return false;
     }
-    DrivenFloor floor = floorWithRobots(grid, free, robots, random, seed);
+    DrivenFloor floor = floorWithRobots(grid, moves, free, robots, random, seed);
     for (int round = 0; round < 3; round++) {
       Collections.shuffle(free, random);
       for (int i = 0; i < robots; i++) {
@@ -96,9 +101,9 @@ class FloorTrafficPropertyTest {
 
   /** A floor with the robots r0, r1 ..., which are at the first places after a shuffle. */
   private static DrivenFloor floorWithRobots(
-      OccupancyGrid grid, List<Cell> free, int robots, Random random, long seed) {
+      OccupancyGrid grid, Moves moves, List<Cell> free, int robots, Random random, long seed) {
     Collections.shuffle(free, random);
-    DrivenFloor floor = new DrivenFloor(grid, seed);
+    DrivenFloor floor = new DrivenFloor(grid, moves, seed);
     for (int i = 0; i < robots; i++) {
       floor.put("r" + i, free.get(i));
     }
@@ -112,6 +117,10 @@ class FloorTrafficPropertyTest {
   }
 
   static boolean driveFromAnywhere(long seed) {
+    return driveFromAnywhere(seed, Moves.HEADING);
+  }
+
+  static boolean driveFromAnywhere(long seed, Moves moves) {
     Random random = new Random(seed);
     OccupancyGrid coarse = aisles(random);
     List<Cell> free = largestPart(coarse);
@@ -136,7 +145,7 @@ class FloorTrafficPropertyTest {
                 middle.y() + DrivenFloor.CELL * (random.nextDouble() - 0.5));
       } while (!isClearOfWalls(grid, start, diameter / 2));
       Pose pose = new Pose(start.x(), start.y(), 2 * Math.PI * random.nextDouble());
-      DrivenFloor floor = new DrivenFloor(grid, seed);
+      DrivenFloor floor = new DrivenFloor(grid, moves, seed);
       floor.putAt("a", pose, diameter);
       floor.sendTo("a", goal);
       floor.drive(Duration.ofMinutes(5));
@@ -177,6 +186,10 @@ class FloorTrafficPropertyTest {
   }
 
   static boolean driveOnAFineMap(long seed) {
+    return driveOnAFineMap(seed, Moves.HEADING);
+  }
+
+  static boolean driveOnAFineMap(long seed, Moves moves) {
     Random random = new Random(seed);
     OccupancyGrid coarse = aisles(random);
     int fine = 8 + random.nextInt(5);
@@ -186,7 +199,7 @@ class FloorTrafficPropertyTest {
     if (robots < 1) {
       return false;
     }
-    DrivenFloor floor = new DrivenFloor(grid, seed);
+    DrivenFloor floor = new DrivenFloor(grid, moves, seed);
     Collections.shuffle(free, random);
     for (int i = 0; i < robots; i++) {
       floor.putAt("r" + i, place(grid, coarse, free.get(i), fine), DrivenFloor.DIAMETER);
@@ -219,6 +232,10 @@ class FloorTrafficPropertyTest {
   }
 
   static boolean driveThroughTroubles(long seed) {
+    return driveThroughTroubles(seed, Moves.HEADING);
+  }
+
+  static boolean driveThroughTroubles(long seed, Moves moves) {
     Random random = new Random(seed);
     OccupancyGrid grid = withAreas(aisles(random), seed);
     List<Cell> free = largestPart(grid);
@@ -226,7 +243,7 @@ class FloorTrafficPropertyTest {
     if (robots < 1) {
       return false;
     }
-    DrivenFloor floor = floorWithRobots(grid, free, robots, random, seed);
+    DrivenFloor floor = floorWithRobots(grid, moves, free, robots, random, seed);
     for (int i = 0; i < robots; i++) {
       floor.send("r" + i, free.get(free.size() - 1 - i));
     }

@@ -18,6 +18,7 @@ import org.toqa.geometry.Pose;
 import org.toqa.geometry.Vec2;
 import org.toqa.grid.Cell;
 import org.toqa.grid.Margins;
+import org.toqa.grid.Moves;
 import org.toqa.grid.OccupancyGrid;
 import org.toqa.motion.DriveSpeeds;
 import org.toqa.motion.Trajectory;
@@ -40,7 +41,13 @@ class PathAssignerTest {
 
   private FloorTraffic traffic(JointPlanner planner) {
     return new FloorTraffic(
-        floor, Margins.USUAL, planner, FloorTraffic::rollingPlanner, Deadline::none, plans::add);
+        floor,
+        Margins.USUAL,
+        Moves.HEADING,
+        planner,
+        FloorTraffic::rollingPlanner,
+        Deadline::none,
+        plans::add);
   }
 
   private void put(FloorTraffic on, String robot, Cell cell) {

@@ -6,6 +6,7 @@ import java.util.stream.Stream;
 import org.junit.jupiter.api.DynamicTest;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.TestFactory;
+import org.toqa.grid.Moves;
 import org.toqa.testbed.Cases;
 import org.toqa.testbed.FuzzRun;
 
@@ -36,6 +37,26 @@ class RandomFloorsIT {
   @TestFactory
   Stream<DynamicTest> fromWhereverItStandsARobotArrives() {
     return floors(FloorTrafficPropertyTest::driveFromAnywhere);
+  }
+
+  @TestFactory
+  Stream<DynamicTest> everyRobotReachesThreeGoalsByCurves() {
+    return floors(seed -> FloorTrafficPropertyTest.driveToThreeGoals(seed, Moves.SMOOTH));
+  }
+
+  @TestFactory
+  Stream<DynamicTest> newGoalsStopsAndLossesDisturbNothingByCurves() {
+    return floors(seed -> FloorTrafficPropertyTest.driveThroughTroubles(seed, Moves.SMOOTH));
+  }
+
+  @TestFactory
+  Stream<DynamicTest> everyRobotReachesThreeGoalsByCurvesOnAFineMap() {
+    return floors(seed -> FloorTrafficPropertyTest.driveOnAFineMap(seed, Moves.SMOOTH));
+  }
+
+  @TestFactory
+  Stream<DynamicTest> fromWhereverItStandsARobotArrivesByCurves() {
+    return floors(seed -> FloorTrafficPropertyTest.driveFromAnywhere(seed, Moves.SMOOTH));
   }
 
   /** Fewer of these: of 50 robots, 100, 150, 200 and 50 again. */

@@ -10,6 +10,7 @@ import org.toqa.geometry.Pose;
 import org.toqa.geometry.Vec2;
 import org.toqa.grid.Cell;
 import org.toqa.grid.Margins;
+import org.toqa.grid.Moves;
 import org.toqa.grid.OccupancyGrid;
 
 /** A robot makes room, whatever is configured to be kept from walls. */
@@ -26,7 +27,7 @@ class StepAsideTest {
         new TrafficRobot("r", 1, hall, new Pose(at.x(), at.y(), 0), radius, Instant.EPOCH);
 
     assertTrue(
-        new SingleRobotPlanner(space, new SectionFitter())
+        new SingleRobotPlanner(space, new SectionFitter(), Moves.HEADING)
             .pathOutOf(robot, List.of(), List.of(SweptArea.at(at, radius)))
             .isPresent());
   }

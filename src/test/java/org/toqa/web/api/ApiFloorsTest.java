@@ -47,7 +47,8 @@ class ApiFloorsTest extends WebServerTest {
        "parking":[{"name":"P1","x":0.25,"y":0.25}],"charging":[],
        "keepOut":[{"x":0.5,"y":0,"width":0.5,"height":0.5}],
        "speedLimits":[{"x":-1,"y":0,"width":1,"height":0.5,"speed":0.2}],
-       "oneWay":[{"x":-1,"y":0.5,"width":2,"height":0.5,"direction":"west"}]}\
+       "oneWay":[{"x":-1,"y":0.5,"width":2,"height":0.5,"direction":"west"}],
+       "moves":"smooth"}\
       """;
 
   @BeforeEach
@@ -131,6 +132,7 @@ class ApiFloorsTest extends WebServerTest {
     post(path + "/publish", "{\"revision\":" + revision + "}", 412);
     post(path + "/publish", "{\"revision\":" + next + "}", 200);
     assertEquals(4, get("map", 200).get("width").asInt());
+    assertEquals("smooth", get("floors/hall", 200).at("/drawing/moves").asString());
     assertTrue(get(path, 200).get("user").isNull());
     get("map?at=2026-01-01T00:00:00Z", 404);
     get("map?at=yesterday", 422);
@@ -165,6 +167,8 @@ class ApiFloorsTest extends WebServerTest {
         "\"charging\":[] | \"doors\":[] | doors",
         "\"width\":0.5,\"height\":0.5} | \"width\":0,\"height\":0.5} | keepOut.0.width",
         "\"speed\":0.2 | \"speed\":0 | speedLimits.0.speed",
+        "\"moves\":\"smooth\" | \"moves\":\"curvy\" | moves",
+        "\"moves\":\"smooth\" | \"moves\":7 | moves",
         "\"direction\":\"west\" | \"direction\":\"WEST\" | oneWay.0.direction",
       })
   void everyFaultOfADrawingIsNamed(String right, String wrong, String field) {

@@ -22,6 +22,7 @@ import org.toqa.fleet.FloorDraft;
 import org.toqa.fleet.RobotView;
 import org.toqa.grid.FloorDrawing;
 import org.toqa.grid.FloorMap;
+import org.toqa.grid.Moves;
 import org.toqa.testbed.MapCanvas;
 import org.toqa.web.WebTestServer;
 
@@ -76,10 +77,19 @@ class EditorInBrowserTest extends PagesInBrowser {
     assertThat(page.locator("#said")).hasText("4.92 m");
     tool(page, "select");
     drag(page, 10.05, 1.05, 9.45, 1.35);
+    page.getByText("How robots drive").click();
+    page.locator("#moves").selectOption("smooth");
+    assertThat(page.locator("#said")).hasText("Robots that meet nobody drive on a smooth curve.");
+    page.locator("#undo").click();
+    assertThat(page.locator("#moves")).hasValue("heading");
+    page.locator("#redo").click();
+    assertThat(page.locator("#moves")).hasValue("smooth");
     assertThat(page.locator("#save-state")).hasText("Draft saved");
     page.locator("#difference").click();
     assertThat(page.locator("#changes-summary"))
-        .hasText("New wall: 124 cells. Removed wall: 0 cells. Places and areas changed: 6.");
+        .hasText(
+            "New wall: 124 cells. Removed wall: 0 cells. Places and areas changed: 6."
+                + " Robots that meet nobody drive on a smooth curve.");
     assertFits(page, "editor", PHONE, DARK_PHONE, DARK);
     assertEquals(List.of(), Accessibility.faultsOfColours(page, "editor in the dark"));
     assertFits(page, "editor", DESK);
@@ -102,6 +112,7 @@ class EditorInBrowserTest extends PagesInBrowser {
     assertThat(page.locator("#save-state")).hasText("Nothing changed yet");
     FloorMap map = floor("Ümit 2");
     assertEquals(drawing.walls(), map.drawing().walls());
+    assertEquals(Moves.SMOOTH, map.moves());
     page.locator("#undo").click(); // and on with the next draft
     assertThat(page.locator("#save-state")).hasText("Draft saved");
     page.locator("#discard").click();
