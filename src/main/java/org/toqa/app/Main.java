@@ -12,6 +12,7 @@ import org.toqa.app.bench.BenchCommand;
 import org.toqa.app.config.ConfigurationException;
 import org.toqa.app.demo.DemoCommand;
 import org.toqa.app.gateway.GatewayCommand;
+import org.toqa.app.lab.LabCommand;
 import org.toqa.app.plan.PlanCommand;
 import org.toqa.app.server.ServerCommand;
 import org.toqa.yaml.Spelling;
@@ -34,7 +35,8 @@ import picocli.CommandLine.UnmatchedArgumentException;
       ServerCommand.class,
       GatewayCommand.class,
       PlanCommand.class,
-      BenchCommand.class
+      BenchCommand.class,
+      LabCommand.class
     })
 public final class Main implements Runnable {
 

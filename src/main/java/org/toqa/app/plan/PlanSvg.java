@@ -1,6 +1,6 @@
 package org.toqa.app.plan;
 
-import static org.toqa.app.plan.SvgWriter.number;
+import static org.toqa.svg.SvgWriter.number;
 
 import java.util.BitSet;
 import java.util.List;
@@ -13,6 +13,7 @@ import org.toqa.grid.OccupancyGrid;
 import org.toqa.grid.Place;
 import org.toqa.motion.Segment;
 import org.toqa.motion.Trajectory;
+import org.toqa.svg.SvgWriter;
 
 /** A plan as a picture: the map, the cells of the path, the path, and its trajectory. */
 final class PlanSvg {

@@ -1,6 +1,6 @@
 package org.toqa.app.plan;
 
-import static org.toqa.app.plan.SvgWriter.number;
+import static org.toqa.svg.SvgWriter.number;
 
 import java.util.List;
 import java.util.Locale;
@@ -10,6 +10,7 @@ import org.toqa.geometry.Vec2;
 import org.toqa.grid.OccupancyGrid;
 import org.toqa.motion.DifferentialLimits;
 import org.toqa.motion.WheelCommand;
+import org.toqa.svg.SvgWriter;
 
 /** A smooth curve as a picture: the map with the curve, and below it the speeds over time. */
 final class SmoothSvg {

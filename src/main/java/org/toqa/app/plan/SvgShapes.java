@@ -1,6 +1,6 @@
 package org.toqa.app.plan;
 
-import static org.toqa.app.plan.SvgWriter.number;
+import static org.toqa.svg.SvgWriter.number;
 
 import java.util.BitSet;
 import java.util.Collection;

@@ -1,4 +1,4 @@
-package org.toqa.app.plan;
+package org.toqa.svg;
 
 import java.io.StringWriter;
 import javax.xml.stream.XMLOutputFactory;
@@ -6,7 +6,7 @@ import javax.xml.stream.XMLStreamException;
 import javax.xml.stream.XMLStreamWriter;
 
 /** Writes a well-formed SVG document, whatever the texts in it. */
-final class SvgWriter {
+public final class SvgWriter {
   private final StringWriter text = new StringWriter();
   private final XMLStreamWriter xml;
 
@@ -16,7 +16,7 @@ final class SvgWriter {
    * @param width pixels
    * @param height pixels
    */
-  SvgWriter(double width, double height) {
+  public SvgWriter(double width, double height) {
     try {
       xml = XMLOutputFactory.newInstance().createXMLStreamWriter(text);
     } catch (XMLStreamException e) {
@@ -39,7 +39,7 @@ final class SvgWriter {
    *
    * @param attributes names and values by turns
    */
-  void open(String name, String... attributes) {
+  public void open(String name, String... attributes) {
     try {
       xml.writeStartElement(name);
       for (int i = 0; i < attributes.length; i += 2) {
@@ -51,7 +51,7 @@ final class SvgWriter {
   }
 
   /** Ends the element that was begun last. */
-  void close() {
+  public void close() {
     try {
       xml.writeEndElement();
       xml.writeCharacters("\n");
@@ -61,13 +61,13 @@ final class SvgWriter {
   }
 
   /** An element with nothing inside. */
-  void element(String name, String... attributes) {
+  public void element(String name, String... attributes) {
     open(name, attributes);
     close();
   }
 
   /** An element with a text inside. */
-  void text(String content, String name, String... attributes) {
+  public void text(String content, String name, String... attributes) {
     open(name, attributes);
     try {
       xml.writeCharacters(content);
@@ -78,7 +78,7 @@ final class SvgWriter {
   }
 
   /** A text of the page's size; its baseline begins at a point. */
-  void label(String content, double x, double y, String colour) {
+  public void label(String content, double x, double y, String colour) {
     text(
         content,
         "text",
@@ -95,7 +95,7 @@ final class SvgWriter {
   }
 
   /** A line along a path, with round ends and corners. */
-  void stroke(String path, String colour, double width) {
+  public void stroke(String path, String colour, double width) {
     element(
         "path",
         "d",
@@ -113,7 +113,7 @@ final class SvgWriter {
   }
 
   /** Ends the document. */
-  String end() {
+  public String end() {
     try {
       xml.writeEndDocument();
       xml.close();
@@ -124,7 +124,7 @@ final class SvgWriter {
   }
 
   /** A coordinate with at most three decimals, and without trailing zeros. */
-  static String number(double value) {
+  public static String number(double value) {
     double rounded = Math.round(value * 1000) / 1000.0;
     return rounded == Math.rint(rounded) ? Long.toString((long) rounded) : Double.toString(rounded);
   }

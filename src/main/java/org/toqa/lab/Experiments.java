@@ -1,0 +1,21 @@
+package org.toqa.lab;
+
+import java.util.List;
+import java.util.Optional;
+import org.toqa.lab.experiment.Experiment;
+
+/** The experiments that there are, in the order of their names. */
+public final class Experiments {
+  private static final List<Experiment> ALL = List.of();
+
+  private Experiments() {}
+
+  public static List<Experiment> all() {
+    return ALL;
+  }
+
+  /** The one of that name. */
+  public static Optional<Experiment> named(String name) {
+    return ALL.stream().filter(experiment -> experiment.name().equals(name)).findFirst();
+  }
+}

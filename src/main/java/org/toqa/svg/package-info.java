@@ -1,0 +1,5 @@
+/** Writes pictures in SVG. */
+@NullMarked
+package org.toqa.svg;
+
+import org.jspecify.annotations.NullMarked;
