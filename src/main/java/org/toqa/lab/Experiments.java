@@ -2,11 +2,15 @@ package org.toqa.lab;
 
 import java.util.List;
 import java.util.Optional;
+import org.toqa.lab.csm.CsmBudget;
+import org.toqa.lab.csm.CsmDynamic;
+import org.toqa.lab.csm.CsmStatic;
 import org.toqa.lab.experiment.Experiment;
 
 /** The experiments that there are, in the order of their names. */
 public final class Experiments {
-  private static final List<Experiment> ALL = List.of();
+  private static final List<Experiment> ALL =
+      List.of(new CsmBudget(), new CsmDynamic(), new CsmStatic());
 
   private Experiments() {}
 

@@ -113,7 +113,7 @@ public final class LabCommand implements Callable<Integer> {
                   : ReportText.of(experiment, run, report));
       return ExitCode.OK;
     } catch (RunStoppedException e) {
-      new CommandOutput(spec).printError(e.getMessage());
+      new CommandOutput(spec).printError(String.valueOf(e.getMessage()));
       return STOPPED;
     }
   }
