@@ -2,6 +2,9 @@ package org.toqa.lab;
 
 import java.util.List;
 import java.util.Optional;
+import org.toqa.lab.csm.CsmBudget;
+import org.toqa.lab.csm.CsmDynamic;
+import org.toqa.lab.csm.CsmStatic;
 import org.toqa.lab.experiment.Experiment;
 import org.toqa.lab.fouragents.GeneratedScenes;
 import org.toqa.lab.fouragents.PublishedScenes;
@@ -11,7 +14,14 @@ import org.toqa.lab.swarm.SwarmSweep;
 /** The experiments that there are, in the order of their names. */
 public final class Experiments {
   private static final List<Experiment> ALL =
-      List.of(new PublishedScenes(), new GeneratedScenes(), new SwarmSweep(), new SwarmLimits());
+      List.of(
+          new CsmBudget(),
+          new CsmDynamic(),
+          new CsmStatic(),
+          new PublishedScenes(),
+          new GeneratedScenes(),
+          new SwarmSweep(),
+          new SwarmLimits());
 
   private Experiments() {}
 

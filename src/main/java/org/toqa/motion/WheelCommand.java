@@ -42,8 +42,12 @@ public record WheelCommand(double time, double v, double w, Wheel left, Wheel ri
   }
 
   /**
-   * By inverse kinematics; where a wheel would be faster than its limit by rounding, both are
-   * slower by the same factor.
+   * By inverse kinematics; where a wheel would be faster than its limit, both are slower by the
+   * same factor.
+   *
+   * @param time seconds from the start of the drive
+   * @param v metres a second, forward
+   * @param w radians a second, counter-clockwise
    */
   public static WheelCommand of(double time, double v, double w, DifferentialLimits limits) {
     // vR = (2 v + L w) / 2, vL = (2 v - L w) / 2

@@ -58,11 +58,21 @@ public record WheelSchedule(List<WheelCommand> commands) {
         planner(limits)
             .plan(along.total(), s -> limits.speedAt(curve.curvature(along.parameterAt(s))));
     double first = commands.size() * WheelCommand.SAMPLE;
-    for (double t = WheelCommand.SAMPLE / 2; t < profile.duration(); t += WheelCommand.SAMPLE) {
-      // in the middle of the sample, for which the command holds
-      double v = profile.speedAt(t);
-      double curvature = curve.curvature(along.parameterAt(profile.distanceAt(t)));
-      commands.add(WheelCommand.of(first + t - WheelCommand.SAMPLE / 2, v, v * curvature, limits));
+    int samples = (int) Math.ceil(profile.duration() / WheelCommand.SAMPLE - 1e-9);
+    for (int i = 0; i < samples; i++) {
+      // what is driven and turned in the sample: headings are exact at its end
+      double from = profile.distanceAt(i * WheelCommand.SAMPLE);
+      double to = profile.distanceAt((i + 1) * WheelCommand.SAMPLE);
+      double turned =
+          Angles.difference(
+              curve.velocity(along.parameterAt(from)).angle(),
+              curve.velocity(along.parameterAt(to)).angle());
+      commands.add(
+          WheelCommand.of(
+              first + i * WheelCommand.SAMPLE,
+              (to - from) / WheelCommand.SAMPLE,
+              turned / WheelCommand.SAMPLE,
+              limits));
     }
   }
 

@@ -1,7 +1,9 @@
 package org.toqa.app.lab;
 
 import java.util.ArrayList;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.stream.IntStream;
 import org.toqa.lab.experiment.Experiment;
 import org.toqa.lab.experiment.Figure;
@@ -39,9 +41,15 @@ final class ReportText {
       table(one.columns(), one.rows());
     }
     List<String> notes = new ArrayList<>();
+    Map<String, List<String>> byReason = new LinkedHashMap<>();
     report.figures().stream()
         .filter(figure -> !figure.reason().isEmpty())
-        .forEach(figure -> notes.add(figure.name() + ": " + figure.reason()));
+        .forEach(
+            figure ->
+                byReason
+                    .computeIfAbsent(figure.reason(), reason -> new ArrayList<>())
+                    .add(figure.name()));
+    byReason.forEach((reason, names) -> notes.add(String.join("; ", names) + ". " + reason));
     notes.addAll(report.notes());
     if (!notes.isEmpty()) {
       line("");

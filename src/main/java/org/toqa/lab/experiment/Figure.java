@@ -25,7 +25,7 @@ public record Figure(
         Value.of(measured, unit),
         Value.NONE,
         measured <= published ? Verdict.REPRODUCED : Verdict.REFUTED,
-        "Published as a limit.");
+        "");
   }
 
   /**
