@@ -355,8 +355,7 @@ final class RandomTree {
   void insert(WayPoints path, BooleanSupplier isOver) {
     int from = START;
     for (int i = 1; i + 1 < path.size(); i++) {
-      int neighbours =
-          isOver.getAsBoolean() ? 0 : points.findWithin(path.x(i), path.y(i), reach());
+      int neighbours = isOver.getAsBoolean() ? 0 : points.findWithin(path.x(i), path.y(i), reach());
       from = add(path.x(i), path.y(i), from);
       rewire(from, neighbours);
     }

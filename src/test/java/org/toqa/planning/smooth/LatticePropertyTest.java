@@ -53,8 +53,7 @@ class LatticePropertyTest {
   void aPathThroughAislesThatJustFitIsFoundAtOnceAndDrivenWithoutAStop() {
     DiscSpace space = DiscSpace.of(AISLES, 1);
     SmoothPlanner planner = new SmoothPlanner(SmoothMethod.HYBRID, 1);
-    SmoothResult result =
-        planner.plan(space, SOUTH_WEST, NORTH_EAST, PlanningBudget.iterations(1));
+    SmoothResult result = planner.plan(space, SOUTH_WEST, NORTH_EAST, PlanningBudget.iterations(1));
     WayPath path = assertInstanceOf(Found.class, result).path();
     assertTrue(Scenes.clearance(AISLES, path.points()) >= 1 - 1e-8);
     SmoothCurve curve = new SplineFitter(space).fit(path.points());
