@@ -40,7 +40,7 @@ public record MapCanvas(Page page, double margin, double width, double height) {
 
   /** Where the point is on the page, pixels. */
   public double[] at(double x, double y) {
-    page.waitForFunction("document.querySelector('#map').width > 300");
+    page.waitForFunction("() => document.querySelector('#map').width > 300");
     Locator map = page.locator("#map");
     map.scrollIntoViewIfNeeded();
     BoundingBox box = map.boundingBox();
