@@ -7,10 +7,12 @@ import java.io.IOException;
 import java.util.HashSet;
 import java.util.Set;
 import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.TimeUnit;
 import org.toqa.endtoend.WorkLedger.Answer;
 import org.toqa.testbed.ApiClient.Reply;
 import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.node.ArrayNode;
+import tools.jackson.databind.node.JsonNodeFactory;
 import tools.jackson.databind.node.ObjectNode;
 
 /**
@@ -18,6 +20,7 @@ import tools.jackson.databind.node.ObjectNode;
  * drives fast, so that each can be told from the others.
  */
 final class PublishedMaps {
+  private static final long LIMIT_NANOS = TimeUnit.MINUTES.toNanos(2);
   private static final String FLOOR = "floors/lab";
 
   private final CrashTestbed site;
@@ -44,27 +47,39 @@ final class PublishedMaps {
    * @return the answer, which may come while the server fails
    */
   CompletableFuture<Reply> publish() throws Exception {
-    JsonNode draft = site.server.await(FLOOR + "/draft", found -> true);
-    ObjectNode drawing = (ObjectNode) draft.get("drawing").deepCopy();
     if (rest == null) {
       JsonNode inForce = site.server.await(FLOOR, found -> true).get("drawing");
       rest = withoutSpeed(inForce);
       possible.add(speed(inForce));
     }
     next++;
-    ArrayNode limits = drawing.putArray("speedLimits");
-    ObjectNode area = limits.addObject();
-    area.put("x", 19.2).put("y", 11.1).put("width", 0.3).put("height", 0.3);
-    area.put("speed", next / 1000.0);
-    ObjectNode change = drawing.objectNode().put("revision", draft.get("revision").asLong());
-    change.set("drawing", drawing);
-    Reply saved = site.server.api().put(FLOOR + "/draft", change);
-    assertTrue(saved.isAccepted(), saved::toString);
+    JsonNode draft = saveDraft();
     return site.server
         .api()
         .replyLater(
             FLOOR + "/draft/publish",
-            drawing.objectNode().put("revision", saved.body().get("revision").asLong()));
+            JsonNodeFactory.instance.objectNode().put("revision", draft.get("revision").asLong()));
+  }
+
+  /** With the next speed; the database may still be away from the fault before. */
+  private JsonNode saveDraft() throws Exception {
+    long end = System.nanoTime() + LIMIT_NANOS;
+    while (true) {
+      JsonNode draft = site.server.await(FLOOR + "/draft", found -> true);
+      ObjectNode drawing = (ObjectNode) draft.get("drawing").deepCopy();
+      ArrayNode limits = drawing.putArray("speedLimits");
+      ObjectNode area = limits.addObject();
+      area.put("x", 19.2).put("y", 11.1).put("width", 0.3).put("height", 0.3);
+      area.put("speed", next / 1000.0);
+      ObjectNode change = drawing.objectNode().put("revision", draft.get("revision").asLong());
+      change.set("drawing", drawing);
+      Reply saved = site.server.api().put(FLOOR + "/draft", change);
+      if (saved.isAccepted()) {
+        return saved.body();
+      }
+      assertTrue(saved.isUnavailable() && System.nanoTime() < end, saved::toString);
+      TimeUnit.MILLISECONDS.sleep(50);
+    }
   }
 
   /** What became of the last one. */
