@@ -185,6 +185,16 @@ final class AttackRun implements AutoCloseable {
     holdOrder();
   }
 
+  /** A task that was cancelled while it was held ends when its robot has heard of it. */
+  void awaitEndOfHold() throws InterruptedException {
+    String task = "api/v1/tasks/" + places.get("held");
+    long end = System.nanoTime() + Duration.ofMinutes(1).toNanos();
+    while (JSON.readTree(manager.get(task).body()).get("held").asBoolean()) {
+      assertTrue(System.nanoTime() < end, "it is still held");
+      TimeUnit.MILLISECONDS.sleep(10);
+    }
+  }
+
   /** What is held may have a robot already, which does nothing else then. */
   void freeRobots() {
     heldTasks.forEach(tasks::cancel);

@@ -161,6 +161,9 @@ final class FormAttacks {
     if (answer.statusCode() == 303 && form.route().equals("/tasks/{id}/edit")) {
       awaitShown(run.filled(form.page()), form.route(), values.getOrDefault("name", "").strip());
     }
+    if (answer.statusCode() == 303 && form.route().equals("/tasks/{id}/cancel")) {
+      run.awaitEndOfHold();
+    }
     if (answer.statusCode() == 303 && form.route().equals("/floors")) {
       run.removeFloor(values.getOrDefault("name", ""));
     }

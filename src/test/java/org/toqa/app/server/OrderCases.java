@@ -184,7 +184,8 @@ final class OrderCases {
   }
 
   private static Map<String, Verdict> drawing() {
-    Map<String, Verdict> words = new HashMap<>(Map.of("/drawing/oneWay/0/direction", REFUSED));
+    Map<String, Verdict> words =
+        new HashMap<>(Map.of("/drawing/oneWay/0/direction", REFUSED, "/drawing/moves", REFUSED));
     for (String kind : List.of("stations", "parking", "charging")) {
       words.put("/drawing/" + kind + "/0/name", NAME_OF_64);
       words.put("/drawing/" + kind + "/0/approach", REFUSED);
