@@ -10,6 +10,7 @@
 <fmt:formatNumber value="${robot.speed()}" maxFractionDigits="2" var="speed"/>
 <t:page title="${title}" here="robot" script="robot/track.js">
   <t:errors/>
+  <c:if test="${not empty mqttPassword}"><div class="notice good" role="status"><p><fmt:message key="robot.mqtt"/>: <fmt:message key="robot.mqtt.once"/></p><code class="secret" dir="ltr"><c:out value="${mqttPassword}"/></code></div></c:if>
   <div id="live" data-live="robot" data-name="${fn:escapeXml(robot.name)}">
     <div class="heading">
       <h1><c:out value="${title}"/></h1>
@@ -116,41 +117,6 @@
         <ul><c:forEach items="${published.refusals()}" var="refusal"><li><fmt:message key="robot.refusal.${refusal.key}"><fmt:param value="${refusal.value}"/></fmt:message></li></c:forEach></ul>
       </c:if>
     </article>
-    <c:if test="${caller.mayManage()}">
-      <article class="card" id="limits">
-        <h2><fmt:message key="robot.limits.set"/></h2>
-        <p class="faint"><fmt:message key="robot.limits.intro"/></p>
-        <c:url value="/robots/${robot.name}/limits" var="setLimits"/>
-        <form method="post" action="<c:out value="${setLimits}"/>" novalidate>
-          <t:csrf/>
-          <div class="grid">
-            <div><t:field name="reading" label="robot.readings.name" hint="robot.readings.name.hint" latin="true" idle="${sent != 'limits'}"/></div>
-            <div><t:field name="low" label="robot.limits.low" inputmode="decimal" optional="true" idle="${sent != 'limits'}"/></div>
-            <div><t:field name="high" label="robot.limits.high" inputmode="decimal" optional="true" idle="${sent != 'limits'}"/></div>
-          </div>
-          <button><fmt:message key="robot.limits.submit"/></button>
-        </form>
-      </article>
-      <article class="card" id="mqtt">
-        <h2><fmt:message key="robot.mqtt"/></h2>
-        <c:if test="${not empty mqttPassword}"><div class="notice good" role="status"><p><fmt:message key="robot.mqtt.once"/></p><code class="secret" dir="ltr"><c:out value="${mqttPassword}"/></code></div></c:if>
-        <dl>
-          <dt><fmt:message key="robot.mqtt.broker"/></dt><dd><bdi dir="ltr"><c:out value="${broker.address()}"/></bdi></dd>
-          <dt><fmt:message key="robot.mqtt.user"/></dt><dd><bdi dir="ltr"><c:out value="${mqttUser}"/></bdi></dd>
-        </dl>
-        <c:choose>
-          <c:when test="${broker.isEmbedded()}">
-            <c:url value="/robots/${robot.name}/mqtt-password" var="makePassword"/>
-            <form method="post" action="<c:out value="${makePassword}"/>">
-              <t:csrf/>
-              <c:if test="${hasMqttPassword}"><p class="faint"><fmt:message key="robot.mqtt.replaces"/></p></c:if>
-              <button class="outline"><fmt:message key="robot.mqtt.${hasMqttPassword ? 'again' : 'make'}"/></button>
-            </form>
-          </c:when>
-          <c:otherwise><p class="faint"><fmt:message key="robot.mqtt.elsewhere"/></p></c:otherwise>
-        </c:choose>
-      </article>
-    </c:if>
   </c:if>
   <article class="card" id="battery" data-live="robot-battery" data-name="${fn:escapeXml(robot.name)}">
     <h2><fmt:message key="robot.batteryLevels"><fmt:param value="${trackHours}"/></fmt:message></h2>
@@ -288,6 +254,40 @@
         </details>
       </c:if>
     </article>
+    <c:if test="${not empty broker}">
+      <article class="card" id="limits">
+        <h2><fmt:message key="robot.limits.set"/></h2>
+        <p class="faint"><fmt:message key="robot.limits.intro"/></p>
+        <c:url value="/robots/${robot.name}/limits" var="setLimits"/>
+        <form method="post" action="<c:out value="${setLimits}"/>" novalidate>
+          <t:csrf/>
+          <div class="grid">
+            <div><t:field name="reading" label="robot.readings.name" hint="robot.readings.name.hint" latin="true" idle="${sent != 'limits'}"/></div>
+            <div><t:field name="low" label="robot.limits.low" inputmode="decimal" optional="true" idle="${sent != 'limits'}"/></div>
+            <div><t:field name="high" label="robot.limits.high" inputmode="decimal" optional="true" idle="${sent != 'limits'}"/></div>
+          </div>
+          <button><fmt:message key="robot.limits.submit"/></button>
+        </form>
+      </article>
+      <article class="card" id="mqtt">
+        <h2><fmt:message key="robot.mqtt"/></h2>
+        <dl>
+          <dt><fmt:message key="robot.mqtt.broker"/></dt><dd><bdi dir="ltr"><c:out value="${broker.address()}"/></bdi></dd>
+          <dt><fmt:message key="robot.mqtt.user"/></dt><dd><bdi dir="ltr"><c:out value="${mqttUser}"/></bdi></dd>
+        </dl>
+        <c:choose>
+          <c:when test="${broker.isEmbedded()}">
+            <c:url value="/robots/${robot.name}/mqtt-password" var="makePassword"/>
+            <form method="post" action="<c:out value="${makePassword}"/>">
+              <t:csrf/>
+              <c:if test="${hasMqttPassword}"><p class="faint"><fmt:message key="robot.mqtt.replaces"/></p></c:if>
+              <button class="outline"><fmt:message key="robot.mqtt.${hasMqttPassword ? 'again' : 'make'}"/></button>
+            </form>
+          </c:when>
+          <c:otherwise><p class="faint"><fmt:message key="robot.mqtt.elsewhere"/></p></c:otherwise>
+        </c:choose>
+      </article>
+    </c:if>
     <c:if test="${not robot.record.simulated and not robot.record.isHttp()}">
       <article class="card" id="pair">
         <h2><fmt:message key="robot.pair.${empty robot.record.fingerprint ? 'first' : 'again'}"/></h2>
