@@ -16,6 +16,7 @@ import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.toqa.geometry.Pose;
 import org.toqa.link.http.HttpRobotCodec;
@@ -26,9 +27,13 @@ import org.toqa.motion.DifferentialLimits;
 import org.toqa.motion.WheelCommand;
 
 /** The client robot, asked as docs/http-robot.md says. */
+@Timeout(60)
 class SimulatedHttpRobotTest {
   private static final RobotToken TOKEN = new RobotToken("a-token-of-a-test");
   private static final DifferentialLimits LIMITS = new DifferentialLimits(0.52, 0.2, 0.5, 0.8, 4);
+
+  /** So often a body is found where it was, and has not merely waited for the machine. */
+  private static final int LOOKS_AT_REST = 5;
 
   @TempDir private Path folder;
   private final HttpClient http = HttpClient.newHttpClient();
@@ -113,12 +118,12 @@ class SimulatedHttpRobotTest {
     }
     double atLastOrder = robot.truePose().x();
     double stopped = atLastOrder;
-    double before;
-    do {
-      before = stopped;
+    for (int same = 0; same < LOOKS_AT_REST; ) {
       TimeUnit.MILLISECONDS.sleep(100);
-      stopped = robot.truePose().x();
-    } while (stopped > before);
+      double now = robot.truePose().x();
+      same = now > stopped ? 0 : same + 1;
+      stopped = now;
+    }
 
     // 0.2 s at 0.4 m/s and some centimetres to brake; the sleeps above are no part of it
     assertTrue(
@@ -135,8 +140,9 @@ class SimulatedHttpRobotTest {
     robot.close();
     robot = new SimulatedHttpRobot(kept);
     WheelReport first = order(1, 0.2, 0);
-    TimeUnit.MILLISECONDS.sleep(150);
-    order(2, 0.2, 0);
+    for (long seq = 2; order(seq, 0.2, 0).left() <= first.left(); seq++) {
+      TimeUnit.MILLISECONDS.sleep(10);
+    }
     robot.close();
     robot = new SimulatedHttpRobot(kept);
 
