@@ -53,6 +53,10 @@ public record FloorDrawing(
         others, stations, parking, charging, keepOut, speedLimits, oneWay, moves);
   }
 
+  public FloorDrawing withStations(List<Place> others) {
+    return new FloorDrawing(walls, others, parking, charging, keepOut, speedLimits, oneWay, moves);
+  }
+
   public FloorDrawing withMoves(Moves others) {
     return new FloorDrawing(
         walls, stations, parking, charging, keepOut, speedLimits, oneWay, others);

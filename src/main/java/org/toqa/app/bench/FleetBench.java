@@ -143,8 +143,7 @@ final class FleetBench implements Callable<Integer> {
 
   /** With stations of its own, since their names are unique in a site. */
   private static FloorDrawing named(FloorDrawing drawing, int floor) {
-    return new FloorDrawing(
-        drawing.walls(),
+    return drawing.withStations(
         drawing.stations().stream()
             .map(
                 station ->
@@ -153,12 +152,7 @@ final class FleetBench implements Callable<Integer> {
                         station.position(),
                         station.heading(),
                         station.approach()))
-            .toList(),
-        drawing.parking(),
-        drawing.charging(),
-        drawing.keepOut(),
-        drawing.speedLimits(),
-        drawing.oneWay());
+            .toList());
   }
 
   private int measure(FleetServer toqa, URI address, StopSignal stop) throws Exception {
