@@ -1,25 +1,27 @@
 package org.toqa.app.server;
 
 import java.io.IOException;
+import java.nio.file.Path;
 import java.security.GeneralSecurityException;
 import java.security.PrivateKey;
 import java.security.Signature;
 import java.security.cert.X509Certificate;
 import java.util.List;
 import org.apache.tomcat.util.net.jsse.PEMFile;
-import org.toqa.app.config.Configuration;
 
 /** A certificate and a private key, each from a PEM file. */
 record CertificateWithKey(X509Certificate certificate, PrivateKey key) {
 
   /**
+   * @param setting what the settings of both files begin with, such as {@code tls}
    * @throws IOException they cannot be read, or do not belong together; the message says what to do
    */
-  static CertificateWithKey read(Configuration.TlsFiles files) throws IOException {
+  static CertificateWithKey read(String setting, Path certificateFile, Path keyFile)
+      throws IOException {
     try {
       List<X509Certificate> certificates =
-          new PEMFile(files.certificate().toString()).getCertificates();
-      PrivateKey key = new PEMFile(files.key().toString()).getPrivateKey();
+          new PEMFile(certificateFile.toString()).getCertificates();
+      PrivateKey key = new PEMFile(keyFile.toString()).getPrivateKey();
       if (certificates.isEmpty() || key == null) {
         throw new GeneralSecurityException(
             certificates.isEmpty() ? "no certificate is in the first" : "no key is in the second");
@@ -31,8 +33,8 @@ record CertificateWithKey(X509Certificate certificate, PrivateKey key) {
       return pair;
     } catch (GeneralSecurityException | IOException | IllegalArgumentException e) {
       throw new IOException(
-          "tls.certificate \"%s\" and tls.key \"%s\" cannot be used (%s): give a certificate and its own key without a password, both as PEM."
-              .formatted(files.certificate(), files.key(), e.getMessage()),
+          "%1$s.certificate \"%2$s\" and %1$s.key \"%3$s\" cannot be used (%4$s): give a certificate and its own key without a password, both as PEM."
+              .formatted(setting, certificateFile, keyFile, e.getMessage()),
           e);
     }
   }

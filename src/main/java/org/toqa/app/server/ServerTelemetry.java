@@ -42,8 +42,13 @@ record ServerTelemetry(@Nullable EmbeddedBroker broker, BrokerSettings.@Nullable
   static ServerTelemetry start(@Nullable BrokerSettings settings) throws IOException {
     return switch (settings) {
       case null -> new ServerTelemetry(null, null);
-      case BrokerSettings.Embedded embedded ->
-          new ServerTelemetry(EmbeddedBroker.start(embedded), null);
+      case BrokerSettings.Embedded embedded -> {
+        BrokerSettings.PemFiles tls = embedded.tls();
+        if (tls != null) {
+          CertificateWithKey.read("mqtt", tls.certificate(), tls.key());
+        }
+        yield new ServerTelemetry(EmbeddedBroker.start(embedded), null);
+      }
       case BrokerSettings.External external -> new ServerTelemetry(null, external);
     };
   }

@@ -82,7 +82,7 @@ final class WebServer implements AutoCloseable {
     connector.setXpoweredBy(false);
     Configuration.TlsFiles tls = configuration.tls();
     if (tls != null) {
-      CertificateWithKey.read(tls);
+      CertificateWithKey.read("tls", tls.certificate(), tls.key());
       enableTls(connector, tls);
     }
     return connector;

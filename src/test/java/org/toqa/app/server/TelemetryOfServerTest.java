@@ -121,7 +121,12 @@ class TelemetryOfServerTest {
             try {
               attackers.execute(() -> flood(robot, isOver));
               attackers.execute(() -> guess(login, isOver));
-              awaitDone(api, order(api));
+              long task = order(api);
+              awaitState(api, "DRIVING");
+              assertTrue(api.replyTo("fleet/pause", Map.of()).isAccepted());
+              awaitState(api, "HOLDING");
+              assertTrue(api.replyTo("fleet/resume", Map.of()).isAccepted());
+              awaitDone(api, task);
               MqttTestClient.await(
                   () -> passedOver(api, "out-of-bounds") > 0 && passedOver(api, "too-often") > 0,
                   "lies and flood are counted");
@@ -179,6 +184,12 @@ class TelemetryOfServerTest {
                 Map.of("station", "Goods-in 2")))
         .get("id")
         .asLong();
+  }
+
+  /** Of the robot. */
+  private static void awaitState(ApiClient api, String state) throws Exception {
+    api.awaitSnapshot(
+        snapshot -> snapshot.get("robots").get(0).get("state").asString().equals(state));
   }
 
   private static void awaitDone(ApiClient api, long task) throws Exception {

@@ -24,6 +24,7 @@ import org.toqa.app.config.Configuration;
 import org.toqa.app.config.ConfigurationException;
 import org.toqa.app.config.Setting;
 import org.toqa.app.config.SettingSource;
+import org.toqa.testbed.TestCertificate;
 
 class WebServerTest {
   private static final Path WEBAPP = Path.of("target/webapp").toAbsolutePath();
@@ -107,6 +108,23 @@ class WebServerTest {
 
     assertTrue(String.valueOf(refusal.getMessage()).startsWith("tls.certificate "), "" + refusal);
     assertTrue(String.valueOf(refusal.getMessage()).endsWith("both as PEM."), "" + refusal);
+  }
+
+  @Test
+  void theSameHoldsForMqtt() throws Exception {
+    Map<Setting, @Nullable String> options = options(0);
+    options.put(Setting.MQTT_BROKER, "embedded");
+    options.put(Setting.MQTT_PORT, "0");
+    options.put(Setting.MQTT_CERTIFICATE, TestCertificate.in(folder, "one").file().toString());
+    options.put(Setting.MQTT_KEY, TestCertificate.in(folder, "two").key().toString());
+    Configuration configuration =
+        Configuration.of(
+            WebappFolder.shippedMap(WEBAPP), List.of(SettingSource.fromCommandLine(options)));
+
+    IOException refusal =
+        assertThrows(IOException.class, () -> SiteServers.start(configuration).close());
+
+    assertTrue(String.valueOf(refusal.getMessage()).startsWith("mqtt.certificate "), "" + refusal);
   }
 
   @Test

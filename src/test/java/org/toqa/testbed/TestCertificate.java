@@ -1,4 +1,4 @@
-package org.toqa.app.server;
+package org.toqa.testbed;
 
 import java.io.IOException;
 import java.math.BigInteger;
@@ -23,9 +23,9 @@ import org.bouncycastle.cert.jcajce.JcaX509v3CertificateBuilder;
 import org.bouncycastle.operator.jcajce.JcaContentSignerBuilder;
 
 /** A certificate of this machine, signed by itself, and its key, as PEM files. */
-record TestCertificate(Path file, Path key, X509Certificate certificate) {
+public record TestCertificate(Path file, Path key, X509Certificate certificate) {
 
-  static TestCertificate in(Path folder, String name) throws Exception {
+  public static TestCertificate in(Path folder, String name) throws Exception {
     KeyPairGenerator generator = KeyPairGenerator.getInstance("EC");
     generator.initialize(256);
     KeyPair keys = generator.generateKeyPair();
@@ -59,7 +59,7 @@ record TestCertificate(Path file, Path key, X509Certificate certificate) {
         file, "-----BEGIN %s-----\n%s\n-----END %s-----\n".formatted(kind, base64, kind));
   }
 
-  SSLContext trustingNoOther() throws Exception {
+  public SSLContext trustingNoOther() throws Exception {
     KeyStore trusted = KeyStore.getInstance(KeyStore.getDefaultType());
     trusted.load(null, null);
     trusted.setCertificateEntry("toqa", certificate);
