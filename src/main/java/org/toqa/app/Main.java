@@ -9,6 +9,7 @@ import java.util.List;
 import java.util.Set;
 import java.util.TreeSet;
 import org.toqa.app.bench.BenchCommand;
+import org.toqa.app.command.NumberConverters;
 import org.toqa.app.config.ConfigurationException;
 import org.toqa.app.demo.DemoCommand;
 import org.toqa.app.gateway.GatewayCommand;
@@ -59,7 +60,7 @@ public final class Main implements Runnable {
   }
 
   static CommandLine commandLine() {
-    return new CommandLine(new Main())
+    return NumberConverters.register(new CommandLine(new Main()))
         .setParameterExceptionHandler((e, args) -> reportWrongArgument(e))
         .setExecutionExceptionHandler((e, command, result) -> reportFailure(e, command));
   }

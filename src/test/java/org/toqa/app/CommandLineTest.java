@@ -23,7 +23,7 @@ class CommandLineTest {
         Arguments.of(List.of("server", "--port"), "'--port'"),
         Arguments.of(List.of("server", "now"), "\"now\" is not known"),
         Arguments.of(List.of("demo", "--robots", "9"), "--robots \"9\": it must be"),
-        Arguments.of(List.of("demo", "--robots", "six"), "'six'"),
+        Arguments.of(List.of("demo", "--robots", "six"), "\"six\" is not a whole number"),
         Arguments.of(List.of("demo", "--report", "no/such/folder"), "that can be written"),
         Arguments.of(List.of("demo", "--bodies", "no/such/folder"), "that can be written"),
         Arguments.of(List.of("plan", "--map", "nowhere.yaml"), "--from"),

@@ -138,7 +138,7 @@ class LabCommandTest {
           """
           csm-statik                     | is no experiment; the nearest is csm-static
           csm-static --runs 0            | --runs 0: it must be from 1 to 10000
-          csm-static --seed x            | is not a long
+          csm-static --seed x            | "x" is not a whole number
           csm-static --set leg=1         | is no parameter; the nearest is lag
           csm-static --set lag=9         | --set lag=9.0: it must be from 0.0 to 0.5
           csm-static csm-dynamic         | is not known
