@@ -51,7 +51,7 @@ public enum Heading {
   }
 
   /** That of a move by so many columns and rows, each -1 to 1 and not both 0. */
-  static Heading of(int dColumn, int dRow) {
+  public static Heading of(int dColumn, int dRow) {
     if (dRow == 0) {
       return dColumn > 0 ? EAST : WEST;
     }

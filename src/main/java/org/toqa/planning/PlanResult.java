@@ -15,6 +15,8 @@ public sealed interface PlanResult {
   enum Reason {
     START_BLOCKED,
     GOAL_BLOCKED,
-    NO_PATH
+    NO_PATH,
+    /** The planner keeps too little in mind to say whether there is a path. */
+    GAVE_UP
   }
 }

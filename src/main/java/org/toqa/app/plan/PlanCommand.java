@@ -210,6 +210,7 @@ public final class PlanCommand implements Callable<Integer> {
           case START_BLOCKED -> "the start" + obstacleMessage(none.where(), from, walls);
           case GOAL_BLOCKED -> "the goal" + obstacleMessage(none.where(), to, walls);
           case NO_PATH -> "obstacles part the goal from the start";
+          case GAVE_UP -> "the planner found none, though there may be one";
         };
     return "There is no path (%s): %s.".formatted(none.reason(), why);
   }
