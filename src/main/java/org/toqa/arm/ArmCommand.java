@@ -1,0 +1,10 @@
+package org.toqa.arm;
+
+/**
+ * How an arm shall be now; the next command, a tick later, goes on from there.
+ *
+ * @param angles of its joints, radians
+ * @param rates how fast they turn there, radians a second
+ * @param handClosed whether its hand is to be closed
+ */
+public record ArmCommand(JointAngles angles, JointAngles rates, boolean handClosed) {}

@@ -1,0 +1,19 @@
+package org.toqa.arm;
+
+/**
+ * An arm as it is.
+ *
+ * @param angles of its joints, radians
+ * @param handClosed whether its hand is closed
+ * @param load kilograms that its load sensor feels on the hand; 0: nothing
+ */
+public record ArmReading(JointAngles angles, boolean handClosed, double load) {
+
+  /** Kilograms: what weighs less is nothing. */
+  public static final double LEAST_LOAD = 0.02;
+
+  /** Whether something is in its hand. */
+  public boolean isHolding() {
+    return handClosed && load >= LEAST_LOAD;
+  }
+}
