@@ -19,6 +19,8 @@
   <c:forTokens items="base,layout,pages,tables,timeline,users,statistics,new-task,map,small-screens,editor,api" delims="," var="part"><link rel="stylesheet" href="${root}/assets/css/${part}.css"></c:forTokens>
   <c:if test="${not empty script or not empty caller}"><script type="module" src="${root}/assets/js/${empty script ? 'shared/live.js' : script}"></script></c:if>
   <script type="module" src="${root}/assets/js/shared/times.js"></script>
+  <c:if test="${not empty caller}"><script type="module" src="${root}/assets/js/shared/menu.js"></script></c:if>
+  <c:if test="${not empty errors}"><script type="module" src="${root}/assets/js/shared/first-fault.js"></script></c:if>
   <c:if test="${pageContext.request.queryString.contains('done=')}"><script type="module" src="${root}/assets/js/shared/told-once.js"></script></c:if>
 </head>
 <body>
@@ -30,8 +32,20 @@
       <nav aria-label="${label}">
         <c:forTokens items="task,robot,map,floor,user,statistics" delims="," var="entry">
           <c:set var="target" value="${entry == 'map' or entry == 'statistics' ? entry : (entry += 's')}"/>
-          <a href="${root}/${target}" ${here == entry ? 'aria-current="page"' : ''}><t:icon name="${entry}"/><span><fmt:message key="nav.${entry}"/></span></a>
+          <a ${entry == 'floor' or entry == 'statistics' ? 'class="desk"' : ''} href="${root}/${target}" ${here == entry ? 'aria-current="page"' : ''}><t:icon name="${entry}"/><span><fmt:message key="nav.${entry}"/></span></a>
         </c:forTokens>
+        <details class="more">
+          <summary><t:icon name="more"/><span><fmt:message key="nav.more"/></span></summary>
+          <ul>
+            <c:forTokens items="floor,statistics" delims="," var="entry">
+              <li class="phone"><a href="${root}/${entry == 'floor' ? 'floors' : entry}" ${here == entry ? 'aria-current="page"' : ''}><fmt:message key="nav.${entry}"/></a></li>
+            </c:forTokens>
+            <c:set var="further" value="history,schedules,loads${caller.isVisitor() ? '' : ',import'}${caller.isAdministrator() ? ',sites' : ''},api"/>
+            <c:forTokens items="${further}" delims="," var="entry">
+              <li><a href="${root}/${entry == 'import' ? 'tasks/import' : entry}" ${here == entry ? 'aria-current="page"' : ''}><fmt:message key="nav.${entry}"/></a></li>
+            </c:forTokens>
+          </ul>
+        </details>
         <form method="post" action="${root}/logout">
           <t:csrf/>
           <button><t:icon name="logout"/><span><fmt:message key="nav.logout"/></span></button>
@@ -54,6 +68,8 @@
   </c:if>
   <c:if test="${not empty caller}">
     <t:pause/>
+    <c:url value="/" var="login"><c:param name="next" value="${address}"/></c:url>
+    <p id="offline" class="notice bad" role="alert" hidden><span data-connection="disconnected"><fmt:message key="map.disconnected"/></span><span data-connection="loggedOut"><fmt:message key="map.loggedOut"/>${" "}<a href="<c:out value="${login}"/>"><fmt:message key="map.loggedOut.link"/></a></span></p>
     <div id="alerts" role="alert"><c:forEach items="${alerts}" var="alert"><p class="notice bad"><t:said sentence="${alert}"/></p></c:forEach></div>
   </c:if>
   <main id="content" class="${layout}">

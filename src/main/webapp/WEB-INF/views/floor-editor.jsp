@@ -129,7 +129,7 @@
       <h2 id="discarding-title"><fmt:message key="editor.discard"/></h2>
       <p><fmt:message key="editor.discard.sure"/></p>
       <div class="choices">
-        <button type="button" id="discard-sure"><fmt:message key="editor.discard"/></button>
+        <button type="button" id="discard-sure" class="danger"><fmt:message key="editor.discard"/></button>
         <button type="button" class="outline" data-close><fmt:message key="common.cancel"/></button>
       </div>
     </article>

@@ -46,7 +46,7 @@
               </details>
               <c:if test="${caller.mayManage() and fn:length(entries) > 1}">
                 <details class="or">
-                  <summary><fmt:message key="floors.delete"/></summary>
+                  <summary role="button" class="outline secondary"><fmt:message key="floors.delete"/></summary>
                   <form method="post" action="<c:out value="${root}/floors/${entry.segment()}/delete"/>">
                     <t:csrf/>
                     <p><fmt:message key="floors.delete.sure"><fmt:param><c:out value="${floor.name}"/></fmt:param></fmt:message></p>

@@ -5,7 +5,7 @@
 <%@ taglib prefix="t" tagdir="/WEB-INF/tags" %>
 <c:set var="root" value="${pageContext.request.contextPath}"/>
 <fmt:message key="history.title" var="title"/>
-<t:page title="${title}" here="task">
+<t:page title="${title}" here="history">
   <div class="heading">
     <div>
       <h1>${title}</h1>
@@ -63,7 +63,7 @@
   <nav class="pages" aria-label="${title}">
     <c:forTokens items="${empty param.before ? '' : 'newest'} ${empty next ? '' : 'older'}" delims=" " var="page">
       <c:url value="/history" var="target">
-        <c:forTokens items="task,user,from,until,robot,kind" delims="," var="name"><c:if test="${not empty param[name]}"><c:param name="${name}" value="${param[name]}"/></c:if></c:forTokens>
+        <c:forTokens items="task,user,from,until,robot,floor,kind" delims="," var="name"><c:if test="${not empty param[name]}"><c:param name="${name}" value="${param[name]}"/></c:if></c:forTokens>
         <c:if test="${page == 'older'}"><c:param name="before" value="${next}"/></c:if>
       </c:url>
       <a href="<c:out value="${target}"/>"><fmt:message key="history.${page}"/></a>

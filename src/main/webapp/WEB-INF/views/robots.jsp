@@ -9,15 +9,30 @@
   <div class="heading">
     <div>
       <h1>${title}</h1>
-      <p class="faint"><fmt:message key="robots.count"><fmt:param value="${fn:length(robots)}"/></fmt:message></p>
+      <p class="faint"><fmt:message key="robots.count"><fmt:param value="${count}"/></fmt:message></p>
     </div>
   </div>
   <c:if test="${param.done == 'removed'}"><p class="notice good" role="status"><fmt:message key="robots.done.removed"/></p></c:if>
-  <c:if test="${fn:length(floors) > 1 or not empty param.floor}">
-    <form method="get" action="${root}/robots" class="filter"><t:floor-choice/><button><fmt:message key="history.filter"/></button></form>
-  </c:if>
+  <c:set var="isSent" value="${pageContext.request.method == 'POST'}"/>
+  <details ${isFiltered or not isSent and not empty errors ? 'open' : ''}>
+    <summary><fmt:message key="tasks.filter"/></summary>
+    <form method="get" action="${root}/robots" class="filter" role="search">
+      <label><fmt:message key="robots.filter.text"/>
+        <input name="text" type="search" value="${isSent ? '' : fn:escapeXml(param.text)}" dir="auto" autocomplete="off">
+      </label>
+      <label><fmt:message key="robots.column.state"/>
+        <select name="state" ${isSent or empty errors.state ? '' : 'aria-invalid="true"'}>
+          <option value=""><fmt:message key="history.all"/></option>
+          <c:forEach items="${states}" var="state"><option value="${state}" ${param.state == state.name() ? 'selected' : ''}><fmt:message key="robot.state.${state}"/></option></c:forEach>
+        </select>
+        <c:if test="${not isSent and not empty errors.state}"><small><bdi><c:out value="${errors.state}"/></bdi></small></c:if>
+      </label>
+      <t:floor-choice/>
+      <button><fmt:message key="history.filter"/></button>
+    </form>
+  </details>
   <div id="live" data-live="robots">
-    <c:if test="${empty robots}"><p class="notice"><fmt:message key="robots.empty"/></p></c:if>
+    <c:if test="${empty robots}"><p class="notice"><fmt:message key="${isFiltered ? 'robots.filter.none' : 'robots.empty'}"/></p></c:if>
     <c:if test="${not empty robots}">
       <table class="stacks">
         <thead>
@@ -63,10 +78,10 @@
       </ul>
     </c:if>
   </div>
+  <t:pages path="/robots" kept="text,state,floor"/>
   <c:if test="${caller.mayManage()}">
     <article class="card">
       <h2><fmt:message key="robots.add"/></h2>
-      <c:set var="isSent" value="${pageContext.request.method == 'POST'}"/>
       <c:if test="${isSent}"><t:errors/></c:if>
       <form method="post" action="${root}/robots" novalidate>
         <t:csrf/>

@@ -56,13 +56,22 @@
             <td class="whole">
               <c:if test="${entry.mayChange}">
                 <div class="choices">
-                  <c:forTokens items="${empty schedule.due ? '' : schedule.paused ? 'resume,' : 'pause,'}delete" delims="," var="action">
+                  <c:if test="${not empty schedule.due}">
+                    <c:set var="action" value="${schedule.paused ? 'resume' : 'pause'}"/>
                     <form method="post" action="${root}/schedules/${schedule.id}/${action}">
                       <t:csrf/>
-                      <c:if test="${action == 'delete'}"><input type="hidden" name="version" value="${entry.version.text}"></c:if>
                       <button class="outline"><fmt:message key="schedules.${action}"/></button>
                     </form>
-                  </c:forTokens>
+                  </c:if>
+                  <details>
+                    <summary role="button" class="outline secondary"><fmt:message key="schedules.delete"/></summary>
+                    <form method="post" action="${root}/schedules/${schedule.id}/delete">
+                      <t:csrf/>
+                      <input type="hidden" name="version" value="${entry.version.text}">
+                      <p><fmt:message key="schedules.delete.sure"><fmt:param>${schedule.id}</fmt:param></fmt:message></p>
+                      <button class="danger"><fmt:message key="schedules.delete.submit"/></button>
+                    </form>
+                  </details>
                 </div>
               </c:if>
             </td>

@@ -5,7 +5,7 @@
 <%@ taglib prefix="t" tagdir="/WEB-INF/tags" %>
 <c:set var="root" value="${pageContext.request.contextPath}"/>
 <fmt:message key="sites.title" var="title"/>
-<t:page title="${title}" here="user">
+<t:page title="${title}" here="sites">
   <div class="heading">
     <div>
       <h1>${title}</h1>
@@ -48,7 +48,7 @@
               </c:if>
               <c:if test="${not place.first}">
                 <details class="or">
-                  <summary><fmt:message key="sites.delete"/></summary>
+                  <summary role="button" class="outline secondary"><fmt:message key="sites.delete"/></summary>
                   <form method="post" action="<c:out value="${target}"/>/delete">
                     <t:csrf/>
                     <p><fmt:message key="sites.delete.sure"><fmt:param><bdi><c:out value="${site.name}"/></bdi></fmt:param></fmt:message></p>

@@ -46,10 +46,14 @@
               <td data-label="<fmt:message key="users.session.seen"/>"><t:time at="${session.seenAt}"/></td>
               <td data-label="<fmt:message key="users.session.expires"/>"><t:time at="${session.expiresAt}"/></td>
               <td>
-                <form method="post" action="${root}/users/${user.id}/sessions/${session.id}/end">
-                  <t:csrf/>
-                  <button class="outline"><fmt:message key="users.session.end"/></button>
-                </form>
+                <details>
+                  <summary role="button" class="outline secondary"><fmt:message key="users.session.end"/></summary>
+                  <form method="post" action="${root}/users/${user.id}/sessions/${session.id}/end">
+                    <t:csrf/>
+                    <p><fmt:message key="users.session.end.sure"/></p>
+                    <button class="danger"><fmt:message key="users.session.end.submit"/></button>
+                  </form>
+                </details>
               </td>
             </tr>
           </c:forEach>

@@ -43,7 +43,7 @@ export class ConnectionStatus {
   change(connection) {
     this.#connection = connection;
     const isLive = connection === 'live';
-    $('#map').classList.toggle('outdated', !isLive);
+    document.body.classList.toggle('outdated', !isLive);
     this.show();
     const banner = $('#banner');
     banner.hidden = isLive;

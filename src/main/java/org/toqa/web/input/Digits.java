@@ -5,8 +5,8 @@ import java.util.regex.Pattern;
 
 /** How people type numbers. */
 public final class Digits {
-  private static final Pattern NUMBER =
-      Pattern.compile("[+-]?(\\d+(\\.\\d*)?|\\.\\d+)([eE][+-]?\\d{1,3})?");
+  /** Without exponents: nobody weighs 1e3 kg, and who types it has slipped. */
+  private static final Pattern NUMBER = Pattern.compile("[+-]?(\\d+(\\.\\d*)?|\\.\\d+)");
 
   /** What can be nothing but a decimal comma: three digits behind one may be thousands. */
   private static final Pattern DECIMAL_COMMA = Pattern.compile("[+-]?\\d+,\\d{1,2}");

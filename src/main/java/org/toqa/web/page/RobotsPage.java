@@ -4,16 +4,21 @@ import jakarta.servlet.ServletException;
 import jakarta.servlet.http.HttpServletRequest;
 import jakarta.servlet.http.HttpServletResponse;
 import java.io.IOException;
+import java.util.List;
 import java.util.Optional;
 import org.toqa.fleet.RobotOrder;
+import org.toqa.fleet.RobotState;
 import org.toqa.fleet.RobotView;
 import org.toqa.web.FleetAnswers;
 import org.toqa.web.access.Caller;
 import org.toqa.web.input.FieldErrors;
 import org.toqa.web.input.RobotOrderReader;
+import org.toqa.web.input.RobotQueryReader;
 
 /** All robots; managers add some. */
 public final class RobotsPage extends PageHandler {
+  private static final int PAGE_SIZE = 50;
+
   public static void show(HttpServletRequest request, HttpServletResponse response)
       throws ServletException, IOException {
     FieldErrors errors = new FieldErrors();
@@ -43,10 +48,14 @@ public final class RobotsPage extends PageHandler {
   }
 
   private static void addFleetAttributes(HttpServletRequest request, FieldErrors errors) {
-    request.setAttribute(
-        "robots",
-        wantedFloor(request, errors)
-            .filter(services(request).fleet().snapshots().latest().robots(), RobotView::floor));
+    List<RobotView> all = services(request).fleet().snapshots().latest().robots();
+    RobotQueryReader query =
+        new RobotQueryReader(request, errors, services(request).fleet().floors());
+    List<RobotView> wanted = query.filter(all);
+    request.setAttribute("count", wanted.size());
+    request.setAttribute("isFiltered", query.isFiltered());
+    request.setAttribute("states", RobotState.values());
+    request.setAttribute("robots", ListPage.of(request, wanted.size(), PAGE_SIZE).of(wanted));
     request.setAttribute("gateways", services(request).fleet().gateways());
   }
 }

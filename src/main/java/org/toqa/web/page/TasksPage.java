@@ -40,16 +40,13 @@ public final class TasksPage extends PageHandler {
   private static void addTaskAttributes(HttpServletRequest request, Filter filter, Sort sort) {
     Tasks tasks = new Tasks(services(request));
     long count = tasks.count(filter);
-    int pages = (int) Math.max(1, (count + PAGE_SIZE - 1) / PAGE_SIZE);
-    int page = Math.min(pages, pageNumber(request.getParameter("page")));
-    List<TaskView> shown = tasks.page(filter, sort, (page - 1) * PAGE_SIZE, PAGE_SIZE);
+    int offset = ListPage.of(request, count, PAGE_SIZE).offset();
+    List<TaskView> shown = tasks.page(filter, sort, offset, PAGE_SIZE);
     request.setAttribute("tasks", shown);
     request.setAttribute("orders", new Orders(services(request)).of(shown));
     request.setAttribute("count", count);
     request.setAttribute("imported", imported(request.getParameter("imported")));
     request.setAttribute("deleted", deleted(request.getParameter("deleted")));
-    request.setAttribute("page", page);
-    request.setAttribute("pages", pages);
   }
 
   /** How many tasks the reader has just imported. */
@@ -60,9 +57,5 @@ public final class TasksPage extends PageHandler {
   /** The number of the task that the reader has just deleted. */
   private static @Nullable Long deleted(@Nullable String given) {
     return given != null && given.matches("[1-9][0-9]{0,17}") ? Long.valueOf(given) : null;
-  }
-
-  private static int pageNumber(@Nullable String given) {
-    return given != null && given.matches("[1-9][0-9]{0,6}") ? Integer.parseInt(given) : 1;
   }
 }

@@ -101,6 +101,7 @@ public final class Routes {
           get("/first-start", ANONYMOUS, FirstStartPage::show).with(BEFORE_FIRST_START),
           post("/first-start", ANONYMOUS, FirstStartPage::createManager).with(BEFORE_FIRST_START),
           get("/", ANONYMOUS, LoginPage::show),
+          get("/login", ANONYMOUS, LoginPage::show),
           post("/", ANONYMOUS, LoginPage::signIn),
           post("/logout", SIGNED_IN, LogoutForm::signOut).with(OWN_SITE),
           get("/forgotten", ANONYMOUS, ForgottenPasswordPage::show),

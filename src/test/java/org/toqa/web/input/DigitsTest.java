@@ -32,7 +32,9 @@ class DigitsTest {
     "2.5, 2.5",
     "'1,000',",
     "'1,2,3',",
-    "',5',"
+    "',5',",
+    "1e3,",
+    "'1,5E2',"
   })
   void aCommaThatCanOnlyBeADecimalOneIsOneInAForm(String typed, @Nullable Double number) {
     assertEquals(Optional.ofNullable(number), Digits.enteredNumber(typed));

@@ -13,6 +13,7 @@ import java.util.Map;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.atomic.AtomicReference;
 import java.util.regex.Pattern;
+import java.util.stream.IntStream;
 import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -55,6 +56,66 @@ class ManagerPagesInBrowserTest extends PagesInBrowser {
     picture(page, "robot-out-of-service");
     page.getByText("Put back in service").click();
     assertThat(page.locator(".heading .state")).hasText("Idle");
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"en", "ar"})
+  void hundredsOfRobotsAreSearchedPageByPageAndTheAddressKeepsIt(String language) {
+    server
+        .fleet()
+        .changeRobots(
+            _ ->
+                IntStream.rangeClosed(1, 120)
+                    .mapToObj(
+                        n ->
+                            robot(
+                                "cart-" + n,
+                                n % 40 == 0 ? RobotState.LOST : RobotState.IDLE,
+                                new Pose(2, 2, 0)))
+                    .toList());
+    Page page = loggedIn(WebTestServer.MANAGER, DESK, "language/" + language);
+    page.navigate(server.root() + "robots");
+    assertThat(page.locator("tbody tr")).hasCount(50);
+    page.locator("a[rel=next]").click();
+    page.locator("a[rel=next]").click();
+    assertThat(page.locator("tbody tr")).hasCount(20);
+    assertFits(page, "robots-many-" + language, DESK, PHONE);
+
+    page.locator("main details summary").first().click();
+    page.locator("input[name=text]").fill("CART-8");
+    page.locator(".filter button").click();
+    assertThat(page.locator("tbody tr")).hasCount(11); // 8 and 80 to 89
+    page.locator("select[name=state]").selectOption("LOST");
+    page.locator(".filter button").click();
+    assertThat(page.locator("tbody th")).hasText("cart-80");
+    page.reload();
+    assertThat(page.locator("tbody th")).hasText("cart-80");
+    page.navigate(server.root() + "robots?state=FLYING");
+    assertThat(page.locator("select[name=state]")).isFocused();
+    assertFits(page, "robots-refused-" + language, DESK, PHONE);
+  }
+
+  @Test
+  void whatIsSeldomWantedIsInAMenuThatTheKeyboardOpensAndCloses() {
+    Page page = loggedIn(WebTestServer.MANAGER, DESK, "tasks");
+    Locator more = page.locator(".more summary");
+    more.focus();
+    page.keyboard().press("Enter");
+    for (String entry : List.of("History", "Schedules", "Loads", "Import tasks", "API")) {
+      assertThat(page.locator(".more").getByText(entry, exactly())).isVisible();
+    }
+    assertThat(page.locator(".more").getByText("Statistics")).isHidden();
+    assertFits(page, "menu", PHONE);
+    assertThat(page.locator(".more").getByText("Statistics")).isVisible();
+    page.keyboard().press("Escape");
+    assertThat(page.locator(".more").getByText("History")).isHidden();
+    assertThat(more).isFocused();
+    page.keyboard().press("Enter");
+    page.keyboard().press("Tab");
+    page.keyboard().press("Tab");
+    page.keyboard().press("Tab");
+    page.keyboard().press("Enter");
+    assertThat(page.locator("h1")).hasText("History");
   }
 
   @Test
@@ -121,6 +182,7 @@ class ManagerPagesInBrowserTest extends PagesInBrowser {
         page.locator("tbody tr")
             .filter(new Locator.FilterOptions().setHasText("Browser").setHasNotText("current"));
     click(other.getByText("End", exactly()));
+    click(other.getByText("Confirm the end"));
     assertThat(page.locator("tbody tr")).hasCount(2);
     assertThat(page.getByRole(AriaRole.STATUS)).containsText("The session has ended.");
 

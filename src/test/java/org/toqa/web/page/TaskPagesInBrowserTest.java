@@ -57,6 +57,22 @@ class TaskPagesInBrowserTest extends PagesInBrowser {
   }
 
   @Test
+  void onAPhoneTheMapComesBeforeTheButtonAndTheFirstFaultHasTheFocus() {
+    Page page = loggedIn(WebTestServer.MANAGER, PHONE, "tasks/new");
+    Locator submit = button(page, "Create task");
+    assertTrue(submit.boundingBox().y > page.locator("#map").boundingBox().y);
+    assertFits(page, "new-task", PHONE, DARK_PHONE);
+    page.getByLabel("Task name").fill("Box of bolts");
+    page.getByLabel("Load (kg)").fill("1e3");
+    submit.click();
+    assertThat(page.locator("#load")).isFocused();
+    assertThat(page.locator("#load-help")).containsText("Enter a number");
+    page.getByLabel("Load (kg)").fill("2,5");
+    submit.click();
+    assertThat(page.locator("#startStation")).isFocused();
+  }
+
+  @Test
   void aTaskThatWaitsForWhatWillNotComeNeedsAttentionOnTheMap() {
     Page page = pageOfNewTask("2.5");
     page.navigate(server.root() + "map");
@@ -197,7 +213,8 @@ class TaskPagesInBrowserTest extends PagesInBrowser {
         page.getByRole(
             AriaRole.BUTTON, new Page.GetByRoleOptions().setName("Pause").setExact(true)));
     assertThat(page.locator("tbody tr")).containsText("Paused");
-    click(page.getByRole(AriaRole.BUTTON, new Page.GetByRoleOptions().setName("Delete")));
+    click(page.getByText("Delete", new Page.GetByTextOptions().setExact(true)));
+    click(button(page, "Confirm deletion"));
     assertThat(page.locator("tbody tr")).hasCount(0);
   }
 

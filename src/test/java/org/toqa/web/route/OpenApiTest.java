@@ -3,6 +3,7 @@ package org.toqa.web.route;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.net.http.HttpResponse;
 import java.time.Instant;
 import java.util.List;
 import java.util.Locale;
@@ -104,6 +105,71 @@ class OpenApiTest {
             path::getKey);
       }
     }
+  }
+
+  @Test
+  void everyBodyOfJsonHasAnExample() {
+    for (Map.Entry<String, JsonNode> path : document.get("paths").properties()) {
+      for (JsonNode operation : path.getValue()) {
+        JsonNode body = operation.at("/requestBody/content/application~1json");
+        assertTrue(body.isMissingNode() || body.has("example"), path::getKey);
+      }
+    }
+  }
+
+  @Test
+  void examplesAreAcceptedAsTheyStand() throws Exception {
+    List<String> tried =
+        List.of(
+            "post /api/v1/tasks 201",
+            "post /api/v1/tasks/preview 200",
+            "put /api/v1/tasks/{id} 200",
+            "post /api/v1/tasks/{id}/priority 200",
+            "post /api/v1/orders 201",
+            "post /api/v1/schedules 201",
+            "post /api/v1/robots 201",
+            "put /api/v1/robots/{name} 200",
+            "put /api/v1/robots/{name}/limits/{reading} 200",
+            "post /api/v1/robots/{name}/locate 200",
+            "post /api/v1/users 201",
+            "post /api/v1/floors 201",
+            "post /api/v1/floors/{floor}/draft/check 200",
+            "put /api/v1/floors/{floor}/draft 200",
+            "post /api/v1/floors/{floor}/allocator 200",
+            "post /api/v1/tasks/{id}/cancel 200");
+    try (WebTestServer fresh = WebTestServer.start();
+        TestClient manager = TestClient.signedIn(fresh.root(), WebTestServer.MANAGER)) {
+      fresh
+          .fleet()
+          .changeRobots(
+              none ->
+                  List.of(Hall.robot("r1", RobotState.IDLE, new Pose(1.05, 0.75, 0), "h", 7275)));
+      JsonNode offered = JSON.readTree(manager.get("api/v1/openapi.json").body()).get("paths");
+      for (String line : tried) {
+        String[] word = line.split(" ");
+        String path =
+            word[1]
+                .substring(1)
+                .replace("{id}", "1")
+                .replace("{name}", "r1")
+                .replace("{reading}", "range")
+                .replace("{floor}", "hall");
+        String example = example(offered, word[1], word[0]);
+
+        HttpResponse<String> answer =
+            manager.sendJson(word[0].toUpperCase(Locale.ROOT), path, example);
+
+        assertEquals(word[2], String.valueOf(answer.statusCode()), () -> line + answer.body());
+      }
+    }
+  }
+
+  private static String example(JsonNode paths, String path, String method) {
+    return paths
+        .get(path)
+        .get(method)
+        .at("/requestBody/content/application~1json/example")
+        .toString();
   }
 
   @Test
