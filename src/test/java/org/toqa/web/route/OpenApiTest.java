@@ -146,7 +146,7 @@ class OpenApiTest {
                   List.of(Hall.robot("r1", RobotState.IDLE, new Pose(1.05, 0.75, 0), "h", 7275)));
       JsonNode offered = JSON.readTree(manager.get("api/v1/openapi.json").body()).get("paths");
       for (String line : tried) {
-        String[] word = line.split(" ");
+        String[] word = line.split(" ", -1);
         String path =
             word[1]
                 .substring(1)
