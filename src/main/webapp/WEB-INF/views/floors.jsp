@@ -9,7 +9,7 @@
   <div class="heading">
     <div>
       <h1>${title}</h1>
-      <p class="faint"><fmt:message key="floors.intro"/></p>
+      <p class="faint"><fmt:message key="floors.intro"/>${" "}<t:help topic="maps"/></p>
     </div>
     <c:if test="${caller.isAdministrator()}"><a href="${root}/sites"><fmt:message key="sites.title"/></a></c:if>
   </div>

@@ -9,7 +9,7 @@
   <div class="heading">
     <div>
       <h1>${title}</h1>
-      <p class="faint"><fmt:message key="history.intro"/></p>
+      <p class="faint"><fmt:message key="history.intro"/>${" "}<t:help topic="history" section="history"/></p>
     </div>
   </div>
   <form method="get" action="${root}/history" class="filter">

@@ -7,7 +7,7 @@
 <fmt:message key="import.title" var="title"/>
 <t:page title="${title}" here="task" script="tasks/import.js">
   <h1>${title}</h1>
-  <p class="faint"><fmt:message key="import.intro"/></p>
+  <p class="faint"><fmt:message key="import.intro"/>${" "}<t:help topic="tasks" section="many-at-once"/></p>
   <c:if test="${not empty errors}"><p class="notice bad" role="alert"><c:out value="${errors.file}"/></p></c:if>
   <c:if test="${not empty faults}">
     <table class="stacks" id="faults">

@@ -9,7 +9,7 @@
 <fmt:message key="newTask.map" var="mapLabel"/>
 <t:page title="${title}" here="task" script="tasks/new-task.js">
   <h1>${title}</h1>
-  <p class="faint"><fmt:message key="${edits ? 'task.edit.intro' : 'newTask.intro'}"/></p>
+  <p class="faint"><fmt:message key="${edits ? 'task.edit.intro' : 'newTask.intro'}"/>${" "}<t:help topic="tasks" section="orders-of-several-tasks"/></p>
   <t:errors/>
   <div class="columns pick">
     <form class="task" method="post" action="${root}/tasks/${edits ? task.task.id += '/edit' : 'new'}" novalidate>

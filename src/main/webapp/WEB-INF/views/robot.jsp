@@ -200,7 +200,7 @@
     </article>
     <c:if test="${fn:length(floors) > 1 and not robot.record.simulated}">
       <article class="card" id="move">
-        <h2><fmt:message key="robot.move"/></h2>
+        <h2><fmt:message key="robot.move"/>${" "}<t:help topic="maps"/></h2>
         <p class="faint"><fmt:message key="robot.move.intro"/></p>
         <c:url value="/robots/${robot.name}/move" var="move"/>
         <form method="post" action="<c:out value="${move}"/>" novalidate>
@@ -220,7 +220,7 @@
       </article>
     </c:if>
     <article class="card" id="change">
-      <h2><fmt:message key="robot.change"/></h2>
+      <h2><fmt:message key="robot.change"/>${" "}<t:help topic="robot"/></h2>
       <c:url value="/robots/${robot.name}/change" var="change"/>
       <form method="post" action="<c:out value="${change}"/>" novalidate>
         <t:csrf/>
@@ -256,7 +256,7 @@
     </article>
     <c:if test="${not empty broker}">
       <article class="card" id="limits">
-        <h2><fmt:message key="robot.limits.set"/></h2>
+        <h2><fmt:message key="robot.limits.set"/>${" "}<t:help topic="telemetry"/></h2>
         <p class="faint"><fmt:message key="robot.limits.intro"/></p>
         <c:url value="/robots/${robot.name}/limits" var="setLimits"/>
         <form method="post" action="<c:out value="${setLimits}"/>" novalidate>
@@ -290,7 +290,7 @@
     </c:if>
     <c:if test="${not robot.record.simulated and not robot.record.isHttp()}">
       <article class="card" id="pair">
-        <h2><fmt:message key="robot.pair.${empty robot.record.fingerprint ? 'first' : 'again'}"/></h2>
+        <h2><fmt:message key="robot.pair.${empty robot.record.fingerprint ? 'first' : 'again'}"/>${" "}<t:help topic="robot-link"/></h2>
         <p class="faint"><fmt:message key="robot.pair.intro"/></p>
         <c:url value="/robots/${robot.name}/pair" var="pair"/>
         <form method="post" action="<c:out value="${pair}"/>" novalidate>

@@ -81,7 +81,7 @@
   <t:pages path="/robots" kept="text,state,floor"/>
   <c:if test="${caller.mayManage()}">
     <article class="card">
-      <h2><fmt:message key="robots.add"/></h2>
+      <h2><fmt:message key="robots.add"/>${" "}<t:help topic="robot"/></h2>
       <c:if test="${isSent}"><t:errors/></c:if>
       <form method="post" action="${root}/robots" novalidate>
         <t:csrf/>

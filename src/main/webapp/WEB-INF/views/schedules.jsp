@@ -9,7 +9,7 @@
   <div class="heading">
     <div>
       <h1>${title}</h1>
-      <p class="faint"><fmt:message key="schedules.intro"/></p>
+      <p class="faint"><fmt:message key="schedules.intro"/>${" "}<t:help topic="tasks" section="later-and-again-and-again"/></p>
     </div>
     <c:if test="${not caller.isVisitor()}"><div class="choices"><a role="button" href="${root}/tasks/new"><fmt:message key="tasks.new"/></a></div></c:if>
   </div>

@@ -9,7 +9,7 @@
   <div class="heading">
     <div>
       <h1>${title}</h1>
-      <p class="faint"><fmt:message key="sites.intro"/></p>
+      <p class="faint"><fmt:message key="sites.intro"/>${" "}<t:help topic="users" section="sites"/></p>
     </div>
   </div>
   <c:if test="${param.done == 'added' or param.done == 'removed'}"><p class="notice good" role="status"><fmt:message key="sites.done.${param.done}"/></p></c:if>

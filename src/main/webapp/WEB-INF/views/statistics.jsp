@@ -9,7 +9,7 @@
   <div class="heading">
     <div>
       <h1>${title}</h1>
-      <c:if test="${not empty period}"><p class="faint"><fmt:message key="statistics.period"><fmt:param value="${firstDay}"/><fmt:param value="${lastDay}"/><fmt:param value="${period.zone()}"/></fmt:message></p></c:if>
+      <c:if test="${not empty period}"><p class="faint"><fmt:message key="statistics.period"><fmt:param value="${firstDay}"/><fmt:param value="${lastDay}"/><fmt:param value="${period.zone()}"/></fmt:message>${" "}<t:help topic="statistics" section="what-each-figure-is"/></p></c:if>
     </div>
   </div>
   <fmt:message key="statistics.choose" var="choose"/>

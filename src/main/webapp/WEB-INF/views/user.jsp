@@ -61,7 +61,7 @@
       </table>
     </c:if>
     <c:if test="${own}">
-      <h3><fmt:message key="users.token.add"/></h3>
+      <h3><fmt:message key="users.token.add"/>${" "}<t:help topic="users"/></h3>
       <p class="faint"><fmt:message key="users.token.hint"/>${" "}<a href="${root}/api"><fmt:message key="api.title"/></a></p>
       <form method="post" action="${root}/users/${user.id}/tokens" novalidate>
         <t:csrf/>
@@ -115,7 +115,7 @@
   </article>
   <c:if test="${manager}">
     <article class="card">
-      <h2><fmt:message key="users.change"/></h2>
+      <h2><fmt:message key="users.change"/>${" "}<t:help topic="users"/></h2>
       <form method="post" action="${root}/users/${user.id}/change">
         <t:csrf/>
         <t:version/>

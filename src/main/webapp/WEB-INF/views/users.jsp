@@ -33,7 +33,7 @@
     </tbody>
   </table>
   <article class="card">
-    <h2><fmt:message key="users.add"/></h2>
+    <h2><fmt:message key="users.add"/>${" "}<t:help topic="users"/></h2>
     <form method="post" action="${root}/users" novalidate>
       <t:csrf/>
       <div class="grid">

@@ -18,6 +18,9 @@ public interface Sites {
   /** No name with its site is longer. */
   int LONGEST_LOGIN = 200;
 
+  /** From little to much. */
+  List<String> LOG_LEVELS = List.of("ERROR", "WARN", "INFO", "DEBUG", "TRACE");
+
   /** How long a site may take to be made: its database is, on a small computer. */
   Duration ADD_LIMIT = Duration.ofMinutes(2);
 
@@ -54,6 +57,20 @@ public interface Sites {
    * @return its name
    */
   CompletionStage<Answer<String>> remove(String name, String by);
+
+  /** How the whole server is configured, without what is secret. */
+  List<ServerSetting> settings();
+
+  /** How much is logged now: one of {@link #LOG_LEVELS}. */
+  String logLevel();
+
+  /**
+   * From now on, until the server ends, so much is logged.
+   *
+   * @param level one of {@link #LOG_LEVELS}
+   * @param by who does it
+   */
+  void changeLogLevel(String level, String by);
 
   /** Of the site that gave out that secret; of the first one where there is none of that site. */
   default Services ofSecret(String secret) {

@@ -171,7 +171,8 @@ final class RoadWorld {
         usual.gateways(),
         usual.broker(),
         usual.logLevel(),
-        usual.logFormat());
+        usual.logFormat(),
+        usual.settings());
   }
 
   private void addRobot(SimulatedRobot body, Place parking)

@@ -4,11 +4,14 @@ import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionStage;
+import java.util.concurrent.atomic.AtomicReference;
 import org.toqa.fleet.Answer;
 import org.toqa.wording.Phrase;
 
 /** The sites of a server that has one, and makes no other. */
 record OneSite(Services first) implements Sites {
+  private static final AtomicReference<String> LOG_LEVEL = new AtomicReference<>("INFO");
+
   @Override
   public Optional<Services> find(long id) {
     return Optional.of(first).filter(services -> services.site().id() == id);
@@ -27,6 +30,25 @@ record OneSite(Services first) implements Sites {
   @Override
   public List<SiteSummary> all() {
     return List.of(SiteSummary.of(first));
+  }
+
+  @Override
+  public List<ServerSetting> settings() {
+    return List.of(
+        new ServerSetting("port", "8080", null, "a whole number"),
+        new ServerSetting("database.password", null, "TOQA_DATABASE_PASSWORD", "a password"),
+        new ServerSetting("url", "", null, "an address"),
+        new ServerSetting("lostAfter", "20", "lostAfter in /etc/toqa.yaml", "seconds"));
+  }
+
+  @Override
+  public String logLevel() {
+    return LOG_LEVEL.get();
+  }
+
+  @Override
+  public void changeLogLevel(String level, String by) {
+    LOG_LEVEL.set(level);
   }
 
   @Override

@@ -44,6 +44,7 @@ import org.toqa.telemetry.mqtt.BrokerSettings;
  * @param plainLinks whether links to robots on other machines may be unencrypted
  * @param gateways where gateways are listened for; null: nowhere
  * @param broker of MQTT; null: none is used
+ * @param settings all of them as they were given, without what is secret
  */
 public record Configuration(
     InetAddress address,
@@ -75,7 +76,8 @@ public record Configuration(
     @Nullable GatewaySettings gateways,
     @Nullable BrokerSettings broker,
     Level logLevel,
-    LogFormat logFormat) {
+    LogFormat logFormat,
+    List<ConfiguredSetting> settings) {
 
   /**
    * The same for a site beside the first one: with data, a database and first floors of its own;
@@ -115,7 +117,8 @@ public record Configuration(
         null,
         null,
         logLevel,
-        logFormat);
+        logFormat,
+        List.of());
   }
 
   /** Whether any robots are simulated. */

@@ -91,7 +91,29 @@ record ConfigurationReader(List<SettingSource> layers) {
         gateways(),
         broker(),
         logLevel(),
-        logFormat());
+        logFormat(),
+        settings());
+  }
+
+  private List<ConfiguredSetting> settings() {
+    return Arrays.stream(Setting.values()).map(this::configured).toList();
+  }
+
+  private ConfiguredSetting configured(Setting setting) {
+    boolean isGiven = layers.stream().anyMatch(layer -> layer.value(setting) != null);
+    String text = text(setting);
+    return new ConfiguredSetting(
+        setting.key(),
+        setting.isSecret() && !text.isEmpty() ? null : withoutSecrets(setting, text),
+        isGiven ? value(setting).origin() : null,
+        setting.allowedValues());
+  }
+
+  /** The address of a database may have its password in it, behind a question mark or semicolon. */
+  private static String withoutSecrets(Setting setting, String text) {
+    return setting == Setting.DATABASE_URL
+        ? text.replaceFirst("[?;].*", "...").replaceFirst("//[^/@]*@", "//...@")
+        : text;
   }
 
   private Limits limits() throws ConfigurationException {

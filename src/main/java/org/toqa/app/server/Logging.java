@@ -14,7 +14,7 @@ final class Logging {
   private Logging() {}
 
   static void configure(Level level, LogFormat format) {
-    Logger root = (Logger) LoggerFactory.getLogger(org.slf4j.Logger.ROOT_LOGGER_NAME);
+    Logger root = root();
     root.setLevel(level);
     if (format == LogFormat.JSON) {
       root.iteratorForAppenders()
@@ -25,6 +25,22 @@ final class Logging {
                 }
               });
     }
+  }
+
+  /** How much is logged. */
+  static String level() {
+    return root().getLevel().toString();
+  }
+
+  /**
+   * @param level a level's name
+   */
+  static void changeLevel(String level) {
+    root().setLevel(Level.valueOf(level));
+  }
+
+  private static Logger root() {
+    return (Logger) LoggerFactory.getLogger(org.slf4j.Logger.ROOT_LOGGER_NAME);
   }
 
   /** Each line a JSON object. */

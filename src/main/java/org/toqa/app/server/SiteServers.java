@@ -23,6 +23,7 @@ import org.toqa.app.config.Configuration;
 import org.toqa.fleet.Answer;
 import org.toqa.persistence.StoreException;
 import org.toqa.store.Database;
+import org.toqa.web.ServerSetting;
 import org.toqa.web.Services;
 import org.toqa.web.SiteSummary;
 import org.toqa.web.Sites;
@@ -127,6 +128,24 @@ public final class SiteServers implements Sites, AutoCloseable {
                   others.computeIfPresent(site.id(), (_, _) -> new Entry(site, null, reason));
                   changes.execute(server::close);
                 });
+  }
+
+  @Override
+  public List<ServerSetting> settings() {
+    return configuration.settings().stream()
+        .map(one -> new ServerSetting(one.key(), one.value(), one.origin(), one.allowed()))
+        .toList();
+  }
+
+  @Override
+  public String logLevel() {
+    return Logging.level();
+  }
+
+  @Override
+  public void changeLogLevel(String level, String by) {
+    Logging.changeLevel(level);
+    log.warn("{} has set the level of the log to {}.", by, level);
   }
 
   /** That of the first site. */

@@ -67,6 +67,7 @@ import org.toqa.web.page.FloorEditorPage;
 import org.toqa.web.page.FloorForms;
 import org.toqa.web.page.FloorsPage;
 import org.toqa.web.page.ForgottenPasswordPage;
+import org.toqa.web.page.HelpPage;
 import org.toqa.web.page.HistoryPage;
 import org.toqa.web.page.ImportPage;
 import org.toqa.web.page.LanguageSwitch;
@@ -81,6 +82,7 @@ import org.toqa.web.page.ResetPasswordPage;
 import org.toqa.web.page.RobotPage;
 import org.toqa.web.page.RobotsPage;
 import org.toqa.web.page.SchedulesPage;
+import org.toqa.web.page.SettingsPage;
 import org.toqa.web.page.SitesPage;
 import org.toqa.web.page.StatisticsPage;
 import org.toqa.web.page.TaskPage;
@@ -177,9 +179,13 @@ public final class Routes {
           post("/sites", ADMINISTRATOR, SitesPage::add).with(OWN_SITE),
           post("/sites/{site}/visit", ADMINISTRATOR, SitesPage::visit).with(OWN_SITE),
           post("/sites/{site}/delete", ADMINISTRATOR, SitesPage::remove).with(OWN_SITE),
+          get("/settings", MANAGER, SettingsPage::show),
+          post("/settings/log-level", ADMINISTRATOR, SettingsPage::changeLogLevel).with(OWN_SITE),
           get("/statistics", CLERK, StatisticsPage::show),
           get("/history", CLERK, HistoryPage::show),
           get("/api", SIGNED_IN, ApiDocumentPage::show),
+          get("/help", SIGNED_IN, HelpPage::list),
+          get("/help/{topic}", SIGNED_IN, HelpPage::show),
           get("/api/v1/health", ANONYMOUS, HealthResource::get)
               .with(BEFORE_FIRST_START)
               .with(URGENT),

@@ -4,11 +4,16 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.io.IOException;
 import java.net.http.HttpResponse;
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.time.Instant;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 import java.util.TreeMap;
+import java.util.TreeSet;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
@@ -85,11 +90,11 @@ class PagesTest extends WebServerTest {
           load  | 0x10            | Enter a number, such as 2.5
           load  | 1,500           | Enter a number, such as 2.5
           load  | -1              | The weight must be above 0
-          load  | 1e300           | The weight must be above 0
-          load  | 1e999           | The weight must be above 0
+          load  | 1e3             | Enter a number, such as 2.5
+          load  | 99999999999     | The weight must be above 0
           load  | 60              | The robots cannot carry 60 kg
           goalX | east            | Enter a number, such as 2.5
-          goalX | 1e30            | Coordinates must lie within
+          goalX | 99999999999     | Coordinates must lie within
           goalX | 0.1             | The goal is not a free place
           goalX | 500             | The goal is not a free place
           goalY |                 | Choose a station, or enter x and y
@@ -418,5 +423,58 @@ class PagesTest extends WebServerTest {
     assertEquals(405, answer.statusCode());
     assertEquals("GET, HEAD", answer.headers().firstValue("Allow").orElseThrow());
     assertTrue(answer.body().contains("css/base.css"));
+  }
+
+  /** Each link beside a form leads to a section that is there, and so do those within the help. */
+  @Test
+  void theHelpHasWhatPagesLeadTo() throws IOException {
+    Set<String> links = new TreeSet<>();
+    try (Stream<Path> views = Files.walk(Path.of("src/main/webapp/WEB-INF/views"))) {
+      for (Path view : views.filter(Files::isRegularFile).toList()) {
+        Pattern.compile("<t:help topic=\"([^\"]*)\"(?: section=\"([^\"]*)\")?/>")
+            .matcher(Files.readString(view))
+            .results()
+            .forEach(
+                link ->
+                    links.add(link.group(1) + (link.group(2) == null ? "" : "#" + link.group(2))));
+      }
+    }
+    assertTrue(links.size() > 8, links::toString);
+    clerk
+        .get("help")
+        .body()
+        .lines()
+        .flatMap(line -> Pattern.compile("/help/([a-z-]+)").matcher(line).results())
+        .forEach(topic -> links.add(topic.group(1)));
+
+    for (String link : List.copyOf(links)) {
+      String document = clerk.get("help/" + link.replaceFirst("#.*", "")).body();
+      Pattern.compile("href=\"/help/([^\"]*)\"")
+          .matcher(document)
+          .results()
+          .forEach(further -> links.add(further.group(1)));
+    }
+    for (String link : links) {
+      String[] part = link.split("#", -1);
+      HttpResponse<String> answer = clerk.get("help/" + part[0]);
+      assertEquals(200, answer.statusCode(), link);
+      assertTrue(
+          part.length == 1 || answer.body().contains("id=\"" + part[1] + "\""),
+          () -> link + " leads to no heading");
+    }
+  }
+
+  @Test
+  void managersReadTheConfigurationWithoutItsSecretsAndClerksDoNot() {
+    String page = manager.get("settings").body();
+
+    assertTrue(page.contains("lostAfter in /etc/toqa.yaml"));
+    assertTrue(
+        Pattern.compile("database\\.password</code></th>\\s*<td[^>]*><em>Set; not shown</em>")
+            .matcher(page)
+            .find());
+    assertTrue(page.contains("Change on the map"));
+    assertEquals(403, clerk.get("settings").statusCode());
+    assertFalse(clerk.get("map").body().contains("/settings\""));
   }
 }

@@ -99,6 +99,7 @@ public final class Rights {
         .replace("{reading}", "range")
         .replace("{floor}", "none")
         .replace("{site}", "none")
+        .replace("{topic}", "none")
         .replace("*", "css/base.css");
   }
 }
