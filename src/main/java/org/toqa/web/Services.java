@@ -18,6 +18,7 @@ import org.toqa.fleet.history.EventArchive;
 import org.toqa.fleet.history.SeenPlaces;
 import org.toqa.fleet.history.StatisticsArchive;
 import org.toqa.fleet.history.TrackStore;
+import org.toqa.lab.record.Laboratory;
 import org.toqa.telemetry.Telemetry;
 
 /**
@@ -38,6 +39,7 @@ public record Services(
     StatisticsArchive statistics,
     SeenPlaces seenPlaces,
     @Nullable Telemetry telemetry,
+    Laboratory laboratory,
     AccountStore accounts,
     SessionStore sessions,
     PasswordLinks passwordLinks,

@@ -13,6 +13,7 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
+import java.util.concurrent.Semaphore;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.stream.Stream;
 import org.apache.catalina.LifecycleException;
@@ -35,13 +36,16 @@ import org.toqa.accounts.PasswordHasher;
 import org.toqa.accounts.Role;
 import org.toqa.accounts.SessionStore;
 import org.toqa.accounts.Site;
+import org.toqa.app.lab.ExperimentProcess;
 import org.toqa.fleet.EventRecord;
 import org.toqa.fleet.SnapshotFeed;
 import org.toqa.fleet.history.SeenPlaces;
+import org.toqa.lab.record.Laboratory;
 import org.toqa.store.Database;
 import org.toqa.store.JdbiAccountStore;
 import org.toqa.store.JdbiEventArchive;
 import org.toqa.store.JdbiFleetStore;
+import org.toqa.store.JdbiLabRunStore;
 import org.toqa.store.JdbiPasswordResetStore;
 import org.toqa.store.JdbiScheduleStore;
 import org.toqa.store.JdbiSessionStore;
@@ -71,6 +75,7 @@ public final class WebTestServer implements AutoCloseable {
           "battery_levels",
           "events",
           "drives",
+          "lab_runs",
           "schedules",
           "tasks",
           "robots");
@@ -100,6 +105,7 @@ public final class WebTestServer implements AutoCloseable {
   private final JdbiFleetStore store;
   private final JdbiTrackStore tracks;
   private final JdbiUtilisationStore uses;
+  private final Laboratory laboratory;
   private final Database database;
   private final Tomcat tomcat = new Tomcat();
   private final Path baseDir;
@@ -228,6 +234,12 @@ public final class WebTestServer implements AutoCloseable {
             (robot, seen) -> {},
             new JdbiTelemetryStore(jdbi, InstantSource.system()),
             InstantSource.system());
+    laboratory =
+        new Laboratory(
+            new JdbiLabRunStore(jdbi),
+            new ExperimentProcess(),
+            new Semaphore(1),
+            InstantSource.system());
     Services services =
         new Services(
             SITE,
@@ -241,6 +253,7 @@ public final class WebTestServer implements AutoCloseable {
             new JdbiStatisticsArchive(jdbi),
             seenPlaces,
             telemetry,
+            laboratory,
             accounts,
             sessions,
             links,
@@ -354,8 +367,14 @@ public final class WebTestServer implements AutoCloseable {
     }
     tomcat.stop();
     tomcat.destroy();
+    laboratory.close();
     database.close();
     delete(baseDir);
+  }
+
+  /** Its experiments run as those of a server do. */
+  public Laboratory laboratory() {
+    return laboratory;
   }
 
   private static void delete(Path folder) {

@@ -19,6 +19,7 @@ import org.toqa.lab.experiment.Parameter;
 import org.toqa.lab.experiment.Report;
 import org.toqa.lab.experiment.Run;
 import org.toqa.lab.experiment.RunStoppedException;
+import org.toqa.lab.record.ReportJson;
 import org.toqa.yaml.Spelling;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.ExitCode;
@@ -44,11 +45,9 @@ import picocli.CommandLine.Spec;
       "verdict is reproduced, refuted, or not comparable where an input is not published.",
       "",
       "--out writes NAME.json, NAME-figures.csv, a .csv file for each table and an .svg",
-      "file for each drawing."
+      "file for each drawing; for a scene that moves also how, as .json."
     })
 public final class LabCommand implements Callable<Integer> {
-  private static final int MOST_RUNS = 10_000;
-
   /** As of a program that was ended by Ctrl-C. */
   private static final int STOPPED = 130;
 
@@ -86,6 +85,12 @@ public final class LabCommand implements Callable<Integer> {
       description = "Write tables and drawings into this folder, which is made.")
   private @Nullable Path folder;
 
+  @Option(
+      names = ServerPipe.OPTION,
+      hidden = true,
+      description = "Is a server's child: tells it everything, and ends with it.")
+  private boolean isChild;
+
   @Override
   public Integer call() throws IOException {
     Arguments arguments = new Arguments(spec);
@@ -96,9 +101,12 @@ public final class LabCommand implements Callable<Integer> {
     Experiment experiment =
         Experiments.named(asked)
             .orElseThrow(() -> arguments.invalid(unknown("experiment", asked, names())));
-    arguments.requireBetween("--runs", runs, 1, MOST_RUNS);
+    arguments.requireBetween("--runs", runs, 1, Run.MOST_RUNS);
     checkValues(arguments, experiment);
     @Nullable ReportFiles files = folder == null ? null : ReportFiles.in(folder, arguments);
+    if (isChild) {
+      return ServerPipe.open(new CommandOutput(spec)).run(experiment, seed.value(), runs, values);
+    }
     try (StopSignal stop = new StopSignal()) {
       Progress progress = new Progress(experiment.name(), new CommandOutput(spec));
       Run run = new Run(seed.value(), runs, values, progress, stop::isRequested);
@@ -150,7 +158,7 @@ public final class LabCommand implements Callable<Integer> {
           if (parameter == null) {
             throw arguments.invalid(unknown("parameter", key, List.copyOf(known.keySet())));
           }
-          if (!(value >= parameter.least() && value <= parameter.most())) {
+          if (!parameter.allows(value)) {
             throw arguments.invalid(
                 "--set %s=%s: it must be from %s to %s"
                     .formatted(key, value, parameter.least(), parameter.most()));

@@ -7,12 +7,15 @@ import java.util.List;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.toqa.app.command.Arguments;
+import org.toqa.lab.drawing.Animation;
 import org.toqa.lab.drawing.Drawing;
 import org.toqa.lab.experiment.Experiment;
 import org.toqa.lab.experiment.Figure;
 import org.toqa.lab.experiment.Report;
 import org.toqa.lab.experiment.Run;
 import org.toqa.lab.experiment.Table;
+import org.toqa.lab.record.AnimationJson;
+import org.toqa.lab.record.ReportJson;
 import picocli.CommandLine.ParameterException;
 
 /** A folder in which reports are kept as files. */
@@ -47,6 +50,11 @@ record ReportFiles(Path folder) {
     }
     for (Drawing drawing : report.drawings()) {
       write(experiment.name() + "-" + drawing.name() + ".svg", drawing.svg());
+      if (drawing instanceof Animation animation) {
+        write(
+            experiment.name() + "-" + drawing.name() + ".json",
+            AnimationJson.text(animation) + "\n");
+      }
     }
   }
 

@@ -22,6 +22,7 @@ import org.toqa.accounts.SessionStore;
 import org.toqa.accounts.Site;
 import org.toqa.accounts.SiteStore;
 import org.toqa.app.config.Configuration;
+import org.toqa.app.lab.ExperimentProcess;
 import org.toqa.fleet.Fleet;
 import org.toqa.fleet.FleetRules;
 import org.toqa.fleet.PeriodicWork;
@@ -34,6 +35,7 @@ import org.toqa.fleet.manager.AgentFleet;
 import org.toqa.fleet.schedule.Scheduler;
 import org.toqa.geometry.Pose;
 import org.toqa.grid.FloorMap;
+import org.toqa.lab.record.Laboratory;
 import org.toqa.link.trust.PrivateFolder;
 import org.toqa.sim.Body;
 import org.toqa.sim.Participant;
@@ -46,6 +48,7 @@ import org.toqa.store.JdbiAccountStore;
 import org.toqa.store.JdbiEventArchive;
 import org.toqa.store.JdbiFleetStore;
 import org.toqa.store.JdbiFloorStore;
+import org.toqa.store.JdbiLabRunStore;
 import org.toqa.store.JdbiOrderArchive;
 import org.toqa.store.JdbiPasswordResetStore;
 import org.toqa.store.JdbiScheduleStore;
@@ -242,6 +245,13 @@ public final class FleetServer implements AutoCloseable {
                 sessions,
                 wallClock,
                 parts);
+    Laboratory laboratory =
+        new Laboratory(
+            new JdbiLabRunStore(database.jdbi()),
+            new ExperimentProcess(),
+            shared.laboratory(),
+            wallClock);
+    parts.push(laboratory);
     Services services =
         new Services(
             site,
@@ -255,6 +265,7 @@ public final class FleetServer implements AutoCloseable {
             new JdbiStatisticsArchive(database.readers()),
             seenPlaces,
             telemetry,
+            laboratory,
             accounts,
             sessions,
             passwordLinks,

@@ -3,6 +3,7 @@ package org.toqa.app.server;
 import com.github.benmanes.caffeine.cache.Ticker;
 import java.io.IOException;
 import java.time.InstantSource;
+import java.util.concurrent.Semaphore;
 import java.util.concurrent.atomic.AtomicReference;
 import org.jspecify.annotations.Nullable;
 import org.toqa.accounts.LoginThrottle;
@@ -19,6 +20,7 @@ import org.toqa.web.RequestLimit;
  *
  * @param throttle of guesses at all sites together
  * @param telemetry the broker of all sites
+ * @param laboratory with one permit: of all sites together one experiment runs at a time
  * @param simulated the robots that live in this process, once they do
  */
 record ServerParts(
@@ -29,6 +31,7 @@ record ServerParts(
     AllowedHosts hosts,
     InstantSource clock,
     ServerTelemetry telemetry,
+    Semaphore laboratory,
     AtomicReference<@Nullable SimulatedFleet> simulated) {
 
   /**
@@ -49,6 +52,7 @@ record ServerParts(
         new AllowedHosts(configuration.hosts()),
         wallClock,
         ServerTelemetry.start(configuration.broker()),
+        new Semaphore(1, true),
         new AtomicReference<>());
   }
 

@@ -8,6 +8,7 @@ import java.util.random.RandomGenerator;
 import org.toqa.avoidance.MovingDisc;
 import org.toqa.driving.DrivenLine;
 import org.toqa.geometry.Vec2;
+import org.toqa.lab.drawing.Animation;
 import org.toqa.lab.drawing.Chart;
 import org.toqa.lab.drawing.Colour;
 import org.toqa.lab.drawing.Drawing;
@@ -20,6 +21,7 @@ import org.toqa.lab.experiment.Run;
 import org.toqa.lab.experiment.Table;
 import org.toqa.lab.experiment.Value;
 import org.toqa.lab.experiment.Verdict;
+import org.toqa.motion.WheelCommand;
 import org.toqa.planning.exact.ShortestDiscPath;
 import org.toqa.planning.smooth.DiscSpace;
 import org.toqa.planning.smooth.SmoothMethod;
@@ -347,7 +349,7 @@ public final class CsmDynamic implements Experiment {
     return new Chart.Series(robot, points);
   }
 
-  private static Scene scene(CsmFloor floor, DrivenLine line, DynamicDrive drive) {
+  private static Animation scene(CsmFloor floor, DrivenLine line, DynamicDrive drive) {
     List<Scene.Mark> marks = new ArrayList<>(floor.marks());
     double seconds = drive.tracked().samples().getLast().command().time();
     for (MovingDisc disc : floor.moving()) {
@@ -364,12 +366,23 @@ public final class CsmDynamic implements Experiment {
     marks.add(new Scene.Line(line.points(), Colour.GREY, true, "path before"));
     marks.add(new Scene.Line(drive.line().points(), Colour.BLUE, false, "path with its detour"));
     marks.add(new Scene.Line(drive.answered(), Colour.RED, true, "driven, by the answers"));
-    return new Scene(
-        "floor-" + floor.number(),
-        "Robot " + floor.number() + ": obstacles of ours, 250 x 250 cm",
-        Vec2.ZERO,
-        new Vec2(CsmFloor.SIDE, CsmFloor.SIDE),
-        marks);
+    Scene ground =
+        new Scene(
+            "floor-" + floor.number(),
+            "Robot " + floor.number() + ": obstacles of ours, 250 x 250 cm",
+            Vec2.ZERO,
+            new Vec2(CsmFloor.SIDE, CsmFloor.SIDE),
+            marks);
+    List<Animation.Body> bodies = new ArrayList<>();
+    for (MovingDisc disc : floor.moving()) {
+      List<Vec2> track =
+          drive.tracked().samples().stream()
+              .map(sample -> disc.positionAt(sample.command().time()))
+              .toList();
+      bodies.add(new Animation.Body("moving obstacle", disc.radius(), Colour.PURPLE, track));
+    }
+    bodies.add(new Animation.Body("robot", DynamicDrive.BODY, Colour.BLUE, drive.answered()));
+    return Animation.of(ground, WheelCommand.SAMPLE, bodies);
   }
 
   private static String text(double value, int decimals) {

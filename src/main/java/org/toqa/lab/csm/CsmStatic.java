@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.OptionalDouble;
 import org.toqa.geometry.Vec2;
+import org.toqa.lab.drawing.Animation;
 import org.toqa.lab.drawing.Chart;
 import org.toqa.lab.drawing.Colour;
 import org.toqa.lab.drawing.Drawing;
@@ -177,7 +178,7 @@ public final class CsmStatic implements Experiment {
     result.drawings.add(scene(floor, curve, drive));
   }
 
-  private static Scene scene(CsmFloor floor, SmoothCurve curve, StaticDrive drive) {
+  private static Animation scene(CsmFloor floor, SmoothCurve curve, StaticDrive drive) {
     List<Scene.Mark> marks = new ArrayList<>(floor.marks());
     if (floor.number() == 1) {
       marks.add(published(PublishedCurve.EQUATION_9, "equation 9 of the paper"));
@@ -186,18 +187,19 @@ public final class CsmStatic implements Experiment {
       marks.add(published(PublishedCurve.EQUATION_14, "equation 14 of the paper"));
     }
     marks.add(new Scene.Line(curve.points(0.01), Colour.BLUE, false, "our path"));
-    marks.add(
-        new Scene.Line(
-            drive.drive().samples().stream().map(s -> s.truth().position()).toList(),
-            Colour.RED,
-            true,
-            "driven in truth"));
-    return new Scene(
-        "floor-" + floor.number(),
-        "Robot " + floor.number() + ": obstacles of ours, 250 x 250 cm",
-        Vec2.ZERO,
-        new Vec2(CsmFloor.SIDE, CsmFloor.SIDE),
-        marks);
+    List<Vec2> driven = drive.drive().samples().stream().map(s -> s.truth().position()).toList();
+    marks.add(new Scene.Line(driven, Colour.RED, true, "driven in truth"));
+    Scene ground =
+        new Scene(
+            "floor-" + floor.number(),
+            "Robot " + floor.number() + ": obstacles of ours, 250 x 250 cm",
+            Vec2.ZERO,
+            new Vec2(CsmFloor.SIDE, CsmFloor.SIDE),
+            marks);
+    return Animation.of(
+        ground,
+        WheelCommand.SAMPLE,
+        List.of(new Animation.Body("robot", DynamicDrive.BODY, Colour.BLUE, driven)));
   }
 
   private static Scene.Line published(PublishedCurve curve, String label) {

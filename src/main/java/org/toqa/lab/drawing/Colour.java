@@ -21,7 +21,8 @@ public enum Colour {
     this.code = code;
   }
 
-  String code() {
+  /** As style sheets and SVG write it. */
+  public String code() {
     return code;
   }
 

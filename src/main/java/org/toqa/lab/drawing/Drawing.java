@@ -1,7 +1,7 @@
 package org.toqa.lab.drawing;
 
 /** A picture of a report. */
-public sealed interface Drawing permits Chart, Scene {
+public sealed interface Drawing permits Chart, Scene, Animation {
   /** Of its file, without the ending: lower-case words with hyphens. */
   String name();
 

@@ -42,18 +42,40 @@ public record Scene(String name, String title, Vec2 least, Vec2 most, List<Mark>
     marks = List.copyOf(marks);
   }
 
-  @Override
-  public String svg() {
+  /**
+   * Where in the picture the scene lies.
+   *
+   * @param width of the picture, pixels
+   * @param height of the picture, pixels
+   * @param left of the scene's least x, pixels
+   * @param top of the scene's most y, pixels
+   * @param scale pixels a metre
+   */
+  public record Frame(double width, double height, double left, double top, double scale) {}
+
+  /** Of the picture that {@link #svg} draws. */
+  public Frame frame() {
     double scale = LONGEST_SIDE / Math.max(most.x() - least.x(), most.y() - least.y());
     double width = Math.max(MIN_WIDTH, (most.x() - least.x()) * scale + 2 * FRAME);
     double bottom = (most.y() - least.y()) * scale + HEAD + FRAME;
-    List<Line> named =
-        marks.stream()
-            .filter(Line.class::isInstance)
-            .map(Line.class::cast)
-            .filter(line -> !line.label().isEmpty())
-            .toList();
-    SvgWriter svg = new SvgWriter(width, bottom + LINE_OF_LEGEND * named.size());
+    return new Frame(width, bottom + LINE_OF_LEGEND * named().size(), FRAME, HEAD, scale);
+  }
+
+  private List<Line> named() {
+    return marks.stream()
+        .filter(Line.class::isInstance)
+        .map(Line.class::cast)
+        .filter(line -> !line.label().isEmpty())
+        .toList();
+  }
+
+  @Override
+  public String svg() {
+    Frame frame = frame();
+    double scale = frame.scale();
+    double bottom = (most.y() - least.y()) * scale + HEAD + FRAME;
+    List<Line> named = named();
+    SvgWriter svg = new SvgWriter(frame.width(), frame.height());
     svg.text(title, "title");
     svg.element("rect", "width", "100%", "height", "100%", "fill", Colour.PAGE);
     svg.label(title, FRAME, FRAME, Colour.TEXT);

@@ -22,4 +22,9 @@ public record Parameter(
           "The parameter %s is %s, out of %s to %s.".formatted(name, value, least, most));
     }
   }
+
+  /** Whether it may be set to that. */
+  public boolean allows(double other) {
+    return other >= least && other <= most;
+  }
 }

@@ -20,6 +20,9 @@ public record Run(
     ProgressListener listener,
     BooleanSupplier isStopped) {
 
+  /** More runs of an experiment are not begun. */
+  public static final int MOST_RUNS = 10_000;
+
   /** Hears how far a run is. */
   public interface ProgressListener {
     /**

@@ -11,6 +11,7 @@ import org.toqa.avoidance.fouragents.FourAgentsSettings;
 import org.toqa.avoidance.fouragents.LimitCycle;
 import org.toqa.avoidance.fouragents.RangeRing;
 import org.toqa.geometry.Vec2;
+import org.toqa.lab.drawing.Animation;
 import org.toqa.lab.drawing.Chart;
 import org.toqa.lab.drawing.Colour;
 import org.toqa.lab.drawing.Drawing;
@@ -197,7 +198,7 @@ public final class PublishedScenes implements Experiment {
   }
 
   /** Where a robot was, and what was there. */
-  static Scene picture(ObstacleScene scene, SceneDrive.Result result) {
+  static Animation picture(ObstacleScene scene, SceneDrive.Result result) {
     List<Scene.Mark> marks = new ArrayList<>();
     scene.standing().forEach(corners -> marks.add(new Scene.Area(corners, Colour.WALL)));
     for (MovingDisc disc : scene.moving()) {
@@ -207,7 +208,24 @@ public final class PublishedScenes implements Experiment {
     marks.add(new Scene.Disc(scene.target(), 0.01, Colour.RED));
     marks.add(new Scene.Disc(scene.start().position(), 0.01, Colour.GREEN));
     marks.add(new Scene.Line(result.track(), Colour.BLUE, false, "the robot's way"));
-    return new Scene(scene.name(), scene.name(), Vec2.ZERO, scene.size(), marks);
+    return Animation.of(
+        new Scene(scene.name(), scene.name(), Vec2.ZERO, scene.size(), marks),
+        SceneDrive.TRACK_STEP,
+        bodies(scene, result));
+  }
+
+  private static List<Animation.Body> bodies(ObstacleScene scene, SceneDrive.Result result) {
+    List<Animation.Body> bodies = new ArrayList<>();
+    for (MovingDisc disc : scene.moving()) {
+      List<Vec2> track = new ArrayList<>();
+      for (int i = 0; i < result.track().size(); i++) {
+        track.add(disc.at(Math.min(i * SceneDrive.TRACK_STEP, result.seconds())));
+      }
+      bodies.add(new Animation.Body("moving obstacle", disc.radius(), Colour.ORANGE, track));
+    }
+    double radius = SceneDrive.khepera().body().radius();
+    bodies.add(new Animation.Body("robot", radius, Colour.BLUE, result.track()));
+    return bodies;
   }
 
   private static Scene phasePortrait(FourAgentsSettings settings, boolean clockwise) {

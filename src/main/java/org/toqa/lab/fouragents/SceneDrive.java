@@ -39,6 +39,9 @@ final class SceneDrive {
   /** Steps between two points of the track that is drawn. */
   private static final int TRACK = 10;
 
+  /** Seconds between them. */
+  static final double TRACK_STEP = TRACK * STEP;
+
   private final ObstacleScene scene;
   private final FourAgentsSettings settings;
   private final double noise;

@@ -3,8 +3,11 @@ package org.toqa.lab.swarm;
 import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Deque;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.OptionalInt;
+import java.util.function.Consumer;
 import java.util.random.RandomGenerator;
 import org.toqa.formation.swarm.LoopMemory;
 import org.toqa.formation.swarm.Observers;
@@ -16,12 +19,17 @@ import org.toqa.formation.swarm.Turn;
 import org.toqa.formation.swarm.VirtualLeader;
 import org.toqa.geometry.Vec2;
 import org.toqa.grid.RayCast;
+import org.toqa.lab.drawing.Animation;
+import org.toqa.lab.drawing.Colour;
 
 /**
  * Drives a swarm over a map, a step a second. A robot that touches an obstacle stands for good and
  * is no longer of the swarm; it is in nobody's way, of which the paper says nothing.
  */
 final class SwarmDrive {
+  /** Seconds. */
+  static final double STEP = 1;
+
   /** Directions in which a robot feels for what is near it. */
   private static final int FEELERS = 8;
 
@@ -67,6 +75,28 @@ final class SwarmDrive {
       List<Vec2> track) {}
 
   Result run() {
+    return run(robots -> {});
+  }
+
+  /** The robots of one drive, each where it was at each step; lost ones stand where they were. */
+  List<Animation.Body> bodies() {
+    Map<Vec2, List<Vec2>> tracks = new LinkedHashMap<>();
+    run(
+        robots ->
+            robots.forEach(
+                robot ->
+                    tracks
+                        .computeIfAbsent(robot.wanted(), place -> new ArrayList<>())
+                        .add(robot.position())));
+    return tracks.values().stream()
+        .map(track -> new Animation.Body("robot", setup.robotRadius(), Colour.PURPLE, track))
+        .toList();
+  }
+
+  /**
+   * @param observer is shown the robots that are left, before each step
+   */
+  private Result run(Consumer<List<SwarmRobot>> observer) {
     List<SwarmRobot> robots = new ArrayList<>();
     for (Vec2 place : setup.places()) {
       robots.add(new SwarmRobot(SwarmMap.START.plus(place), place));
@@ -82,6 +112,7 @@ final class SwarmDrive {
     SwarmMap now = map;
     int most = (int) (LONGEST * SwarmMap.START.distanceTo(SwarmMap.TARGET) / speed);
     for (int step = 0; step < most; step++) {
+      observer.accept(robots);
       Vec2 leader = VirtualLeader.position(robots);
       if (track.getLast().distanceTo(leader) >= TRACK) {
         track.add(leader);

@@ -5,7 +5,10 @@ import java.util.List;
 import java.util.SplittableRandom;
 import org.toqa.formation.swarm.SwarmLaw;
 import org.toqa.geometry.Vec2;
+import org.toqa.lab.drawing.Animation;
 import org.toqa.lab.drawing.Chart;
+import org.toqa.lab.drawing.Colour;
+import org.toqa.lab.drawing.Scene;
 import org.toqa.lab.experiment.Experiment;
 import org.toqa.lab.experiment.Figure;
 import org.toqa.lab.experiment.Parameter;
@@ -111,7 +114,7 @@ public final class SwarmLimits implements Experiment {
                 "Both maps, w = 5, v = 0.5 to 2",
                 List.of("condition", "law", "arrived", "mean lost", "shape error (m)"),
                 rows)),
-        List.of(shape(published, extended, run)),
+        List.of(shape(published, extended, run), scene(CONDITIONS.getLast().of(extended), run)),
         List.of(
             "The paper says what it did not look at; it has no figures of it. The extended law"
                 + " drives each robot back to its place, keeps a clearance of a robot's width, and"
@@ -169,6 +172,25 @@ public final class SwarmLimits implements Experiment {
         "way of the virtual leader (m)",
         "m",
         series);
+  }
+
+  /** The extended law under all of it, where an obstacle appears on the way. */
+  private static Animation scene(SwarmSetup setup, Run run) {
+    SwarmMap map = SwarmMap.named("simple");
+    List<Scene.Mark> marks = new ArrayList<>(setup.changed(map).marks());
+    marks.add(new Scene.Disc(SwarmMap.TARGET, setup.targetRadius(), Colour.RED));
+    Scene ground =
+        new Scene(
+            "all-of-it",
+            "The extended law under all of it, v = 1, w = 5",
+            Vec2.ZERO,
+            map.size(),
+            marks);
+    SwarmLaw law = SwarmLaw.published(Math.toRadians(TURN));
+    return Animation.of(
+        ground,
+        SwarmDrive.STEP,
+        new SwarmDrive(map, setup, law, 1, new SplittableRandom(run.seed())).bodies());
   }
 
   private static Chart.Series series(String name, SwarmSetup setup, Run run) {

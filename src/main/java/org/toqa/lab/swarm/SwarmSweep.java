@@ -7,6 +7,7 @@ import java.util.SplittableRandom;
 import org.toqa.formation.swarm.Observers;
 import org.toqa.formation.swarm.SwarmLaw;
 import org.toqa.geometry.Vec2;
+import org.toqa.lab.drawing.Animation;
 import org.toqa.lab.drawing.Chart;
 import org.toqa.lab.drawing.Colour;
 import org.toqa.lab.drawing.Drawing;
@@ -136,11 +137,14 @@ public final class SwarmSweep implements Experiment {
     List<SwarmDrive.Result> results = new ArrayList<>();
     for (int i = 0; i < DRIVES * run.runs(); i++) {
       run.checkStopped();
-      SplittableRandom random =
-          new SplittableRandom(run.seedOf(i) * 1_000_003 + turn * 1009L + (long) (speed * 10));
+      SplittableRandom random = new SplittableRandom(seed(run, i, turn, speed));
       results.add(new SwarmDrive(map, setup, law, speed, random).run());
     }
     return new Cell(map.name(), turn, speed, results);
+  }
+
+  private static long seed(Run run, int drive, int turn, double speed) {
+    return run.seedOf(drive) * 1_000_003 + turn * 1009L + (long) (speed * 10);
   }
 
   private static List<Figure> energy() {
@@ -429,7 +433,7 @@ public final class SwarmSweep implements Experiment {
   }
 
   /** Tracks of the virtual leader at some speeds, w = 1 (figures 13 and 14). */
-  private static Scene picture(SwarmMap map, SwarmSetup setup, Run run) {
+  private static Animation picture(SwarmMap map, SwarmSetup setup, Run run) {
     List<Scene.Mark> marks = new ArrayList<>(map.marks());
     marks.add(new Scene.Disc(SwarmMap.TARGET, setup.targetRadius(), Colour.RED));
     for (Vec2 place : setup.places()) {
@@ -446,12 +450,18 @@ public final class SwarmSweep implements Experiment {
               false,
               "v = %s: %d steps, %d lost".formatted(speeds[i], first.steps(), first.lost())));
     }
-    return new Scene(
-        "tracks-" + map.name(),
-        "The virtual leader, w = 1, " + map.name() + " map",
-        Vec2.ZERO,
-        map.size(),
-        marks);
+    Scene ground =
+        new Scene(
+            "tracks-" + map.name(),
+            "The virtual leader, w = 1, " + map.name() + " map",
+            Vec2.ZERO,
+            map.size(),
+            marks);
+    SwarmLaw law = SwarmLaw.published(Math.toRadians(1));
+    return Animation.of(
+        ground,
+        SwarmDrive.STEP,
+        new SwarmDrive(map, setup, law, 1, new SplittableRandom(seed(run, 0, 1, 1))).bodies());
   }
 
   static String text(double number, int decimals) {

@@ -32,6 +32,9 @@ import org.toqa.web.api.FloorsResource;
 import org.toqa.web.api.HealthResource;
 import org.toqa.web.api.HistoryResource;
 import org.toqa.web.api.ImportResource;
+import org.toqa.web.api.LabExperimentsResource;
+import org.toqa.web.api.LabRunResource;
+import org.toqa.web.api.LabRunsResource;
 import org.toqa.web.api.LoadsResource;
 import org.toqa.web.api.MapResource;
 import org.toqa.web.api.MetricsResource;
@@ -70,6 +73,8 @@ import org.toqa.web.page.ForgottenPasswordPage;
 import org.toqa.web.page.HelpPage;
 import org.toqa.web.page.HistoryPage;
 import org.toqa.web.page.ImportPage;
+import org.toqa.web.page.LabRunPage;
+import org.toqa.web.page.LaboratoryPage;
 import org.toqa.web.page.LanguageSwitch;
 import org.toqa.web.page.LoadsPage;
 import org.toqa.web.page.LoginPage;
@@ -182,6 +187,12 @@ public final class Routes {
           get("/settings", MANAGER, SettingsPage::show),
           post("/settings/log-level", ADMINISTRATOR, SettingsPage::changeLogLevel).with(OWN_SITE),
           get("/statistics", CLERK, StatisticsPage::show),
+          get("/laboratory", MANAGER, LaboratoryPage::show),
+          post("/laboratory", MANAGER, LaboratoryPage::start),
+          get("/laboratory/compare", MANAGER, LaboratoryPage::compare),
+          get("/laboratory/runs/{id}", MANAGER, LabRunPage::show),
+          post("/laboratory/runs/{id}/stop", MANAGER, LabRunPage::stop),
+          post("/laboratory/runs/{id}/delete", MANAGER, LabRunPage::delete),
           get("/history", CLERK, HistoryPage::show),
           get("/api", SIGNED_IN, ApiDocumentPage::show),
           get("/help", SIGNED_IN, HelpPage::list),
@@ -267,6 +278,18 @@ public final class Routes {
           get("/api/v1/statistics", CLERK, StatisticsResource::get),
           get("/api/v1/statistics/series.csv", CLERK, StatisticsCsvResource::series),
           get("/api/v1/statistics/robots.csv", CLERK, StatisticsCsvResource::robots),
+          get("/api/v1/laboratory/experiments", MANAGER, LabExperimentsResource::list),
+          get("/api/v1/laboratory/runs", MANAGER, LabRunsResource::list),
+          post("/api/v1/laboratory/runs", MANAGER, LabRunsResource::start),
+          get("/api/v1/laboratory/runs/{id}", MANAGER, LabRunResource::get),
+          delete("/api/v1/laboratory/runs/{id}", MANAGER, LabRunResource::delete),
+          post("/api/v1/laboratory/runs/{id}/stop", MANAGER, LabRunResource::stop),
+          get("/api/v1/laboratory/runs/{id}/report", MANAGER, LabRunResource::report),
+          get("/api/v1/laboratory/runs/{id}/figures.csv", MANAGER, LabRunResource::figures),
+          get("/api/v1/laboratory/runs/{id}/tables/{name}", MANAGER, LabRunResource::table),
+          get("/api/v1/laboratory/runs/{id}/drawings", MANAGER, LabRunResource::drawings),
+          get("/api/v1/laboratory/runs/{id}/drawings/{name}", MANAGER, LabRunResource::drawing),
+          get("/api/v1/laboratory/runs/{id}/scenes/{name}", MANAGER, LabRunResource::motion),
           get("/api/v1/fleet", CLERK, FleetResource::get),
           post("/api/v1/fleet/pause", CLERK, FleetResource::pause).with(URGENT),
           post("/api/v1/fleet/resume", MANAGER, FleetResource::resume),

@@ -1,6 +1,8 @@
-package org.toqa.app.lab;
+package org.toqa.lab.record;
 
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import org.toqa.lab.experiment.Experiment;
 import org.toqa.lab.experiment.Figure;
 import org.toqa.lab.experiment.Parameter;
@@ -8,16 +10,18 @@ import org.toqa.lab.experiment.Report;
 import org.toqa.lab.experiment.Run;
 import org.toqa.lab.experiment.Table;
 import org.toqa.lab.experiment.Value;
+import org.toqa.lab.experiment.Verdict;
+import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.json.JsonMapper;
 import tools.jackson.databind.node.ArrayNode;
 import tools.jackson.databind.node.ObjectNode;
 
-/** A report as a program reads it. */
-final class ReportJson {
+/** A report as a program reads it, and as it is kept. */
+public final class ReportJson {
   private ReportJson() {}
 
   /** On one line. */
-  static String text(Experiment experiment, Run run, Report report) {
+  public static String text(Experiment experiment, Run run, Report report) {
     ObjectNode json = JsonMapper.shared().createObjectNode();
     json.put("experiment", experiment.name());
     json.put("seed", run.seed());
@@ -36,7 +40,7 @@ final class ReportJson {
   }
 
   /** What there is, on one line. */
-  static String list(List<Experiment> experiments) {
+  public static String list(List<Experiment> experiments) {
     ArrayNode json = JsonMapper.shared().createArrayNode();
     for (Experiment experiment : experiments) {
       json.addObject()
@@ -86,5 +90,53 @@ final class ReportJson {
       ArrayNode cells = rows.addArray();
       row.forEach(cells::add);
     }
+  }
+
+  /**
+   * What {@link #text} wrote.
+   *
+   * @throws IllegalArgumentException it has not written that
+   */
+  public static KeptReport read(String text) {
+    JsonNode json = JsonMapper.shared().readTree(text);
+    Map<String, Double> parameters = new LinkedHashMap<>();
+    json.path("parameters")
+        .properties()
+        .forEach(entry -> parameters.put(entry.getKey(), entry.getValue().doubleValue()));
+    return new KeptReport(
+        parameters,
+        json.path("figures").valueStream().map(ReportJson::figure).toList(),
+        json.path("tables").valueStream().map(ReportJson::table).toList(),
+        texts(json.path("notes")));
+  }
+
+  private static Figure figure(JsonNode json) {
+    String unit = json.path("unit").stringValue("");
+    return new Figure(
+        json.path("name").stringValue(""),
+        value(json.path("published"), unit),
+        value(json.path("measured"), unit),
+        value(json.path("bound"), unit),
+        Verdict.ofWord(json.path("verdict").stringValue("")),
+        json.path("reason").stringValue(""));
+  }
+
+  private static Value value(JsonNode json, String unit) {
+    if (json.isNumber()) {
+      return Value.of(json.doubleValue(), unit);
+    }
+    return json.isString() ? Value.of(json.stringValue()) : Value.NONE;
+  }
+
+  private static Table table(JsonNode json) {
+    return new Table(
+        json.path("name").stringValue(""),
+        json.path("title").stringValue(""),
+        texts(json.path("columns")),
+        json.path("rows").valueStream().map(ReportJson::texts).toList());
+  }
+
+  private static List<String> texts(JsonNode json) {
+    return json.valueStream().map(text -> text.stringValue("")).toList();
   }
 }

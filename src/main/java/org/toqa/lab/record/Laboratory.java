@@ -1,0 +1,213 @@
+package org.toqa.lab.record;
+
+import java.time.Duration;
+import java.time.InstantSource;
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.BlockingQueue;
+import java.util.concurrent.LinkedBlockingQueue;
+import java.util.concurrent.Semaphore;
+import org.jspecify.annotations.Nullable;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+import org.toqa.persistence.StoreException;
+
+/**
+ * The runs of a site, one after the other.
+ *
+ * <ol>
+ *   <li>{@link #start} stores a run and queues it, or says that there is no room.
+ *   <li>A thread takes the runs in their order. Of all sites together one runs at a time.
+ *   <li>What it gives is stored. Whoever watches asks {@link #progress}; nobody need to.
+ * </ol>
+ *
+ * <p>What waited when the server ended is taken up by the next one; what ran is broken off. Any
+ * thread may call it.
+ */
+public final class Laboratory implements AutoCloseable {
+  private static final Logger log = LoggerFactory.getLogger(Laboratory.class);
+
+  /** More runs are not kept: somebody deletes old ones. */
+  public static final int MOST_KEPT = 200;
+
+  /** More runs do not wait. */
+  public static final int MOST_WAITING = 10;
+
+  /** Between two tries while the store is away. */
+  private static final Duration STORE_PAUSE = Duration.ofSeconds(5);
+
+  private final LabRunStore store;
+  private final ExperimentRunner runner;
+  private final Semaphore slot;
+  private final InstantSource clock;
+  private final BlockingQueue<Long> waiting = new LinkedBlockingQueue<>();
+  private final Thread thread;
+  private volatile @Nullable Current current;
+  private volatile boolean isClosed;
+
+  /** What an order is answered with. */
+  public sealed interface Ordered {
+    record Queued(LabRun run) implements Ordered {}
+
+    /** {@link #MOST_WAITING} runs wait already. */
+    record QueueFull() implements Ordered {}
+
+    /** {@link #MOST_KEPT} runs are kept already. */
+    record ArchiveFull() implements Ordered {}
+  }
+
+  /**
+   * How far a run is.
+   *
+   * @param share done, 0 to 1
+   * @param step what is done now, in English
+   */
+  public record Progress(double share, String step) {}
+
+  /** The run that goes on now. */
+  private static final class Current {
+    final long id;
+    volatile Progress progress = new Progress(0, "");
+    volatile boolean isStopped;
+
+    Current(long id) {
+      this.id = id;
+    }
+  }
+
+  /**
+   * Goes on with what waits in the store.
+   *
+   * @param slot with one permit, which all sites of the server share
+   */
+  public Laboratory(
+      LabRunStore store, ExperimentRunner runner, Semaphore slot, InstantSource clock) {
+    this.store = store;
+    this.runner = runner;
+    this.slot = slot;
+    this.clock = clock;
+    store.breakOff(clock.instant());
+    List<LabRun> kept = new ArrayList<>(store.runs());
+    Collections.reverse(kept);
+    kept.stream()
+        .filter(run -> run.state() == LabRunState.QUEUED)
+        .forEach(run -> waiting.add(run.id()));
+    this.thread = Thread.ofVirtual().name("laboratory").start(this::work);
+  }
+
+  /** Queues a run, which was checked. */
+  public synchronized Ordered start(LabOrder order, String user) {
+    List<LabRun> kept = store.runs();
+    if (kept.stream().filter(run -> run.state() == LabRunState.QUEUED).count() >= MOST_WAITING) {
+      return new Ordered.QueueFull();
+    }
+    if (kept.size() >= MOST_KEPT) {
+      return new Ordered.ArchiveFull();
+    }
+    LabRun run = store.add(order, user, clock.instant());
+    waiting.add(run.id());
+    return new Ordered.Queued(run);
+  }
+
+  /** Ends a run early, within seconds; false: it is over. */
+  public boolean stop(long id) {
+    Current running = current;
+    if (running != null && running.id == id) {
+      running.isStopped = true;
+      return true;
+    }
+    return store
+        .run(id)
+        .filter(run -> run.state() == LabRunState.QUEUED)
+        .map(run -> store.end(id, LabRunState.STOPPED, null, clock.instant()))
+        .orElse(false);
+  }
+
+  /** Of the run that goes on now; empty: that one does not. */
+  public Optional<Progress> progress(long id) {
+    Current running = current;
+    return running == null || running.id != id ? Optional.empty() : Optional.of(running.progress);
+  }
+
+  /** All that is kept. */
+  public LabRunStore store() {
+    return store;
+  }
+
+  private void work() {
+    try {
+      while (!isClosed) {
+        long id = waiting.take();
+        slot.acquire();
+        try {
+          run(id);
+        } catch (StoreException e) {
+          log.warn("Run {} of the laboratory was not stored.", id, e);
+          breakOff();
+        } finally {
+          current = null;
+          slot.release();
+        }
+      }
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+    }
+  }
+
+  /** As soon as the store takes it: what it holds for running does not. */
+  private void breakOff() throws InterruptedException {
+    while (true) {
+      try {
+        store.breakOff(clock.instant());
+        return;
+      } catch (StoreException e) {
+        Thread.sleep(STORE_PAUSE);
+      }
+    }
+  }
+
+  private void run(long id) throws InterruptedException {
+    Optional<LabRun> run = store.run(id);
+    Current now = new Current(id);
+    current = now;
+    if (run.isEmpty() || !store.begin(id, clock.instant())) {
+      return;
+    }
+    ExperimentRunner.Outcome outcome;
+    try {
+      outcome =
+          runner.run(
+              run.get().order(),
+              (share, step) -> now.progress = new Progress(share, step),
+              () -> now.isStopped);
+    } catch (InterruptedException e) {
+      store.end(id, LabRunState.BROKEN_OFF, null, clock.instant());
+      throw e;
+    } catch (RuntimeException e) {
+      log.warn("Run {} of the laboratory failed.", id, e);
+      outcome = new ExperimentRunner.Outcome.Failed(String.valueOf(e));
+    }
+    switch (outcome) {
+      case ExperimentRunner.Outcome.Done(LabResult result) ->
+          store.complete(id, result, clock.instant());
+      case ExperimentRunner.Outcome.Stopped _ ->
+          store.end(id, LabRunState.STOPPED, null, clock.instant());
+      case ExperimentRunner.Outcome.Failed(String detail) ->
+          store.end(id, LabRunState.FAILED, detail, clock.instant());
+    }
+  }
+
+  /** The run that goes on is broken off; those that wait go on after the next start. */
+  @Override
+  public void close() {
+    isClosed = true;
+    thread.interrupt();
+    try {
+      thread.join();
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+    }
+  }
+}
