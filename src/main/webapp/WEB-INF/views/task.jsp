@@ -47,6 +47,7 @@
           <dt><fmt:message key="task.goal"/></dt><dd><t:place place="${task.task.goal}"/></dd>
           <dt><fmt:message key="task.floor"/></dt><dd><bdi><c:out value="${task.task.floor}"/></bdi></dd>
           <dt><fmt:message key="task.robots"/></dt><dd><t:robots names="${task.robots}"/><c:if test="${task.robots.size() > 1}"><fmt:message key="task.leads" var="leads"><fmt:param value="${task.robots[0]}"/></fmt:message>${" "}<span class="faint"><c:out value="${leads}"/></span></c:if></dd>
+          <c:if test="${not empty task.task.onlyRobots}"><dt><fmt:message key="task.onlyRobots"/></dt><dd><t:robots names="${task.task.onlyRobots}"/></dd></c:if>
           <dt><fmt:message key="newTask.priority"/></dt><dd><c:choose><c:when test="${usualPriority}"><fmt:message key="newTask.priority.${task.task.priority}"/></c:when><c:otherwise>${task.task.priority}</c:otherwise></c:choose></dd>
           <c:if test="${not empty task.task.deadline}"><dt><fmt:message key="task.deadline"/></dt><dd><t:time at="${task.task.deadline}"/></dd></c:if>
           <dt><fmt:message key="task.user"/></dt><dd><bdi><c:out value="${task.task.user}"/></bdi></dd>
@@ -81,6 +82,7 @@
           <c:if test="${usualPriority}"><c:param name="priority" value="${task.task.priority}"/></c:if>
           <c:param name="length" value="${task.task.size.length}"/>
           <c:param name="width" value="${task.task.size.width}"/>
+          <c:forEach items="${task.task.onlyRobots}" var="robot"><c:param name="onlyRobots" value="${robot}"/></c:forEach>
           <c:forTokens items="start,goal" delims="," var="end">
             <c:set var="place" value="${end == 'start' and leftLoad ? task.loadAt : task.task[end]}"/>
             <c:choose>

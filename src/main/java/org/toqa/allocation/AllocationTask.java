@@ -3,6 +3,7 @@ package org.toqa.allocation;
 import java.time.Duration;
 import java.time.Instant;
 import java.util.Comparator;
+import java.util.List;
 import org.jspecify.annotations.Nullable;
 import org.toqa.geometry.Vec2;
 
@@ -15,12 +16,33 @@ import org.toqa.geometry.Vec2;
  * @param waitsFrom the moment from which its waiting counts; see {@link #waitingSince(Instant, int,
  *     Instant)}
  * @param isForOmnidirectional whether a group with robots that cannot go sideways has no room
+ * @param onlyRobots names of those that may carry it; empty: whichever there are
  */
 public record AllocationTask(
-    long id, double load, Vec2 start, Vec2 goal, Instant waitsFrom, boolean isForOmnidirectional) {
+    long id,
+    double load,
+    Vec2 start,
+    Vec2 goal,
+    Instant waitsFrom,
+    boolean isForOmnidirectional,
+    List<String> onlyRobots) {
+
+  public AllocationTask {
+    onlyRobots = List.copyOf(onlyRobots);
+  }
 
   public AllocationTask(long id, double load, Vec2 start, Vec2 goal, Instant waitsFrom) {
-    this(id, load, start, goal, waitsFrom, false);
+    this(id, load, start, goal, waitsFrom, false, List.of());
+  }
+
+  /** The same, that only these robots may carry; empty: whichever there are. */
+  public AllocationTask withOnlyRobots(List<String> robots) {
+    return new AllocationTask(id, load, start, goal, waitsFrom, isForOmnidirectional, robots);
+  }
+
+  /** Whether the robot may carry it, alone or with others. */
+  public boolean allows(String robot) {
+    return onlyRobots.isEmpty() || onlyRobots.contains(robot);
   }
 
   /** What has waited longest, as it counts, comes first. */
@@ -55,17 +77,25 @@ public record AllocationTask(
   /** What one of several robots carries of it at most. */
   AllocationTask partFor(Candidate robot) {
     return new AllocationTask(
-        id, Math.min(load, robot.maxLoad()), start, goal, waitsFrom, isForOmnidirectional);
+        id,
+        Math.min(load, robot.maxLoad()),
+        start,
+        goal,
+        waitsFrom,
+        isForOmnidirectional,
+        onlyRobots);
   }
 
   /** The same, that no team with a robot may have that cannot go sideways. */
   public AllocationTask forOmnidirectional() {
-    return new AllocationTask(id, load, start, goal, waitsFrom, true);
+    return new AllocationTask(id, load, start, goal, waitsFrom, true, onlyRobots);
   }
 
   /** Whether the robot may be one of several. */
   boolean allowsInTeam(Candidate robot) {
-    return robot.canBeInTeam() && (robot.isOmnidirectional() || !isForOmnidirectional);
+    return allows(robot.robot())
+        && robot.canBeInTeam()
+        && (robot.isOmnidirectional() || !isForOmnidirectional);
   }
 
   /** Seconds, at least 0. */

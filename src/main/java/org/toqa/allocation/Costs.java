@@ -72,6 +72,9 @@ final class Costs implements Quotes {
   private Quote quote(AllocationTask task, Candidate robot, TaskPaths paths) {
     double approach = paths.toLoad.applyAsDouble(robot.position());
     double carried = paths.carried;
+    if (!task.allows(robot.robot())) {
+      return Quote.impossible(approach, Impediment.NOT_CHOSEN, Phrase.IS_NOT_CHOSEN.with());
+    }
     if (!robot.isStrongEnough(task)) {
       return Quote.impossible(approach, Impediment.TOO_WEAK, Phrase.IS_TOO_WEAK.with());
     }

@@ -226,15 +226,20 @@ public final class Negotiation {
       return List.of();
     }
     for (Lot lot : lots) {
-      Quote quote = bids.quotes().get(lot.task().id());
-      quotes.put(
-          bids.robot(),
-          lot.task().id(),
-          quote != null && quote.isSound()
-              ? quote
-              : Quote.decline(Impediment.DECLINED, Phrase.MAKES_NO_BID.with()));
+      quotes.put(bids.robot(), lot.task().id(), quote(bids, lot.task()));
     }
     return awaited.isEmpty() ? closeCall(now) : List.of();
+  }
+
+  /** What its agent says of it; whoever may not have it has no say. */
+  private static Quote quote(Bids bids, AllocationTask task) {
+    if (!task.allows(bids.robot())) {
+      return Quote.decline(Impediment.NOT_CHOSEN, Phrase.IS_NOT_CHOSEN.with());
+    }
+    Quote quote = bids.quotes().get(task.id());
+    return quote != null && quote.isSound()
+        ? quote
+        : Quote.decline(Impediment.DECLINED, Phrase.MAKES_NO_BID.with());
   }
 
   private List<Outgoing> closeCall(Instant now) {

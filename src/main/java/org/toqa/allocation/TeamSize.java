@@ -25,10 +25,12 @@ public final class TeamSize {
     return !fitting.isEmpty() && fitting.stream().noneMatch(r -> r.isStrongEnough(task));
   }
 
-  /** The robots for which the path of the load is wide enough. */
+  /** The robots that may have it, for which the path of the load is wide enough. */
   static List<Candidate> fitting(AllocationProblem problem, AllocationTask task) {
     Quotes quotes = problem.quotes();
-    return problem.robots().stream().filter(r -> quotes.hasPathFor(task, r)).toList();
+    return problem.robots().stream()
+        .filter(r -> task.allows(r.robot()) && quotes.hasPathFor(task, r))
+        .toList();
   }
 
   /** How many robots carry the load, of those that are not broken; empty if all cannot. */

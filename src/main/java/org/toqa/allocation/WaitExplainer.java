@@ -38,7 +38,7 @@ public final class WaitExplainer {
   }
 
   Decision.Unassigned unassigned(AllocationTask task) {
-    List<Candidate> free = robots.stream().filter(Candidate::isFree).toList();
+    List<Candidate> free = allowed(task).stream().filter(Candidate::isFree).toList();
     List<Quote> prices = free.isEmpty() ? List.of() : quotes.of(task, free);
     List<String> drained =
         IntStream.range(0, free.size())
@@ -53,9 +53,33 @@ public final class WaitExplainer {
     if (robots.isEmpty()) {
       return Phrase.NO_ROBOT_ADDED.with();
     }
+    return task.onlyRobots().isEmpty() ? reason(task, robots) : reasonOfChosen(task);
+  }
+
+  /** Where only some robots may have it: who they are, and what keeps them. */
+  private Sentence reasonOfChosen(AllocationTask task) {
+    List<Candidate> chosen = allowed(task);
+    Sentence names = Sentence.names(task.onlyRobots());
+    if (chosen.isEmpty()) {
+      return Phrase.CHOSEN_ARE_NOT_HERE.with(names);
+    }
+    if (chosen.size() == 1 && chosen.getFirst().isStrongEnough(task)) {
+      return Phrase.ONLY_CHOSEN_MAY.with(names, whatKeeps(task, chosen.getFirst()));
+    }
+    return Phrase.LISTED_APART.with(Phrase.ONLY_CHOSEN_MAY_ALL.with(names), reason(task, chosen));
+  }
+
+  private List<Candidate> allowed(AllocationTask task) {
+    return robots.stream().filter(robot -> task.allows(robot.robot())).toList();
+  }
+
+  /**
+   * @param robots at least one
+   */
+  private Sentence reason(AllocationTask task, List<Candidate> robots) {
     List<Candidate> strong = robots.stream().filter(r -> r.isStrongEnough(task)).toList();
     if (strong.isEmpty()) {
-      return tooHeavyForOne(task);
+      return tooHeavyForOne(task, robots);
     }
     if (strong.size() == 1) {
       Candidate only = strong.getFirst();
@@ -70,12 +94,13 @@ public final class WaitExplainer {
 
   /** Whether none of these robots will ever carry it, alone or together, whatever becomes free. */
   public boolean isImpossible(AllocationTask task) {
-    return robots.stream().noneMatch(r -> r.isStrongEnough(task))
-        && TeamSize.smallest(task.load(), robots).isEmpty();
+    List<Candidate> allowed = allowed(task);
+    return allowed.stream().noneMatch(r -> r.isStrongEnough(task))
+        && TeamSize.smallest(task.load(), allowed).isEmpty();
   }
 
   /** Says the true number of robots that the load needs, and how many are there. */
-  private Sentence tooHeavyForOne(AllocationTask task) {
+  private static Sentence tooHeavyForOne(AllocationTask task, List<Candidate> robots) {
     Optional<Integer> needed = TeamSize.smallest(task.load(), robots);
     double together = robots.stream().mapToDouble(Candidate::maxLoad).sum();
     if (needed.isEmpty()) {

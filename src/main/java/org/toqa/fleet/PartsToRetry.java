@@ -56,7 +56,8 @@ public record PartsToRetry(List<TaskOrder> orders, List<OrderPart> parts) {
         task.floor(),
         task.priority(),
         task.deadline(),
-        task.size());
+        task.size(),
+        task.onlyRobots());
   }
 
   private static Where where(TaskPlace place) {

@@ -2,6 +2,7 @@ package org.toqa.fleet;
 
 import java.time.Instant;
 import java.time.temporal.ChronoUnit;
+import java.util.List;
 import java.util.Objects;
 import org.jspecify.annotations.Nullable;
 import org.toqa.geometry.Vec2;
@@ -15,6 +16,7 @@ import org.toqa.mission.TransportTask.LoadSize;
  *
  * @param load kilograms
  * @param floor null: the one of {@link FloorChoice}
+ * @param onlyRobots names of those that may carry it; empty: whichever there are
  */
 public record TaskOrder(
     String name,
@@ -24,7 +26,28 @@ public record TaskOrder(
     @Nullable String floor,
     int priority,
     @Nullable Instant deadline,
-    @Nullable LoadSize size) {
+    @Nullable LoadSize size,
+    List<String> onlyRobots) {
+
+  /** As many names a task may have. */
+  public static final int MAX_ONLY_ROBOTS = 20;
+
+  public TaskOrder {
+    onlyRobots = List.copyOf(onlyRobots);
+  }
+
+  /** One that any robot may carry. */
+  public TaskOrder(
+      String name,
+      double load,
+      Where start,
+      Where goal,
+      @Nullable String floor,
+      int priority,
+      @Nullable Instant deadline,
+      @Nullable LoadSize size) {
+    this(name, load, start, goal, floor, priority, deadline, size, List.of());
+  }
 
   /**
    * The task that is ordered; its id is not known yet.
@@ -35,12 +58,13 @@ public record TaskOrder(
   public TransportTask task(
       TaskPlace from, TaskPlace to, String resolvedFloor, String user, Instant now) {
     return new TransportTask(
-        0, name, load, from, to, resolvedFloor, priority, deadline, size, user, now);
+            0, name, load, from, to, resolvedFloor, priority, deadline, size, user, now)
+        .withOnlyRobots(onlyRobots);
   }
 
   /** The same from there to there. */
   public TaskOrder between(Where from, Where to) {
-    return new TaskOrder(name, load, from, to, floor, priority, deadline, size);
+    return new TaskOrder(name, load, from, to, floor, priority, deadline, size, onlyRobots);
   }
 
   /** A place by its coordinates or by its station's name. */
@@ -65,7 +89,8 @@ public record TaskOrder(
         && goal.isAt(task.goal())
         && (floor == null || floor.equals(task.floor()))
         && Objects.equals(asStored(deadline), asStored(task.deadline()))
-        && Objects.equals(size, task.size());
+        && Objects.equals(size, task.size())
+        && onlyRobots.equals(task.onlyRobots());
   }
 
   /** As far as the store keeps it. */

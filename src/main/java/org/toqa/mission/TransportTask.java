@@ -1,6 +1,7 @@
 package org.toqa.mission;
 
 import java.time.Instant;
+import java.util.List;
 import java.util.Objects;
 import org.jspecify.annotations.Nullable;
 
@@ -15,6 +16,7 @@ import org.jspecify.annotations.Nullable;
  * @param owner the id of his account, for names come back and ids do not; null: he is no user any
  *     more, or the task is not stored yet
  * @param part which part of an order it is; null: it was ordered by itself
+ * @param onlyRobots names of those that may carry it; empty: whichever there are
  */
 public record TransportTask(
     long id,
@@ -29,7 +31,12 @@ public record TransportTask(
     String user,
     @Nullable Long owner,
     Instant createdAt,
-    @Nullable OrderPart part) {
+    @Nullable OrderPart part,
+    List<String> onlyRobots) {
+
+  public TransportTask {
+    onlyRobots = List.copyOf(onlyRobots);
+  }
 
   /** Kilograms and metres; what differs by less is what was entered twice. */
   private static final double ALIKE = 0.001;
@@ -51,7 +58,9 @@ public record TransportTask(
     }
   }
 
-  /** One whose owner is not known yet, and that is no part of an order. */
+  /**
+   * One whose owner is not known yet, that is no part of an order, and that any robot may carry.
+   */
   public TransportTask(
       long id,
       String name,
@@ -64,28 +73,78 @@ public record TransportTask(
       @Nullable LoadSize size,
       String user,
       Instant createdAt) {
-    this(id, name, load, start, goal, floor, priority, deadline, size, user, null, createdAt, null);
+    this(
+        id, name, load, start, goal, floor, priority, deadline, size, user, null, createdAt, null,
+        List.of());
   }
 
   /** The same with the id that the store gave it. */
   public TransportTask withId(long stored) {
     return new TransportTask(
-        stored, name, load, start, goal, floor, priority, deadline, size, user, owner, createdAt,
-        part);
+        stored,
+        name,
+        load,
+        start,
+        goal,
+        floor,
+        priority,
+        deadline,
+        size,
+        user,
+        owner,
+        createdAt,
+        part,
+        onlyRobots);
   }
 
   /** The same, of that user. */
   public TransportTask withOwner(String newUser, @Nullable Long newOwner) {
     return new TransportTask(
-        id, name, load, start, goal, floor, priority, deadline, size, newUser, newOwner, createdAt,
-        part);
+        id,
+        name,
+        load,
+        start,
+        goal,
+        floor,
+        priority,
+        deadline,
+        size,
+        newUser,
+        newOwner,
+        createdAt,
+        part,
+        onlyRobots);
+  }
+
+  /** The same, that only these robots may carry; empty: whichever there are. */
+  public TransportTask withOnlyRobots(List<String> robots) {
+    return new TransportTask(
+        id, name, load, start, goal, floor, priority, deadline, size, user, owner, createdAt, part,
+        robots);
   }
 
   /** The same as that part of an order. */
   public TransportTask withPart(@Nullable OrderPart changed) {
     return new TransportTask(
-        id, name, load, start, goal, floor, priority, deadline, size, user, owner, createdAt,
-        changed);
+        id,
+        name,
+        load,
+        start,
+        goal,
+        floor,
+        priority,
+        deadline,
+        size,
+        user,
+        owner,
+        createdAt,
+        changed,
+        onlyRobots);
+  }
+
+  /** Whether the robot may carry it, alone or with others. */
+  public boolean allows(String robot) {
+    return onlyRobots.isEmpty() || onlyRobots.contains(robot);
   }
 
   /** Whether both carry the same load from the same place to the same one. */
@@ -127,11 +186,25 @@ public record TransportTask(
         user,
         owner,
         createdAt,
-        part);
+        part,
+        order.onlyRobots);
   }
 
   TransportTask withPriority(int changed) {
     return new TransportTask(
-        id, name, load, start, goal, floor, changed, deadline, size, user, owner, createdAt, part);
+        id,
+        name,
+        load,
+        start,
+        goal,
+        floor,
+        changed,
+        deadline,
+        size,
+        user,
+        owner,
+        createdAt,
+        part,
+        onlyRobots);
   }
 }

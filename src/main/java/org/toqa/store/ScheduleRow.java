@@ -45,7 +45,8 @@ record ScheduleRow(
     boolean resting,
     Instant createdAt,
     @Nullable Instant dueAt,
-    @Nullable Long lastTask) {
+    @Nullable Long lastTask,
+    @Nullable String onlyRobots) {
 
   Schedule toSchedule() {
     TaskOrder order =
@@ -57,7 +58,8 @@ record ScheduleRow(
             floor,
             priority,
             null,
-            TaskRow.loadSize(loadLength, loadWidth));
+            TaskRow.loadSize(loadLength, loadWidth),
+            RobotNames.read(onlyRobots));
     return new Schedule(
         id,
         order,

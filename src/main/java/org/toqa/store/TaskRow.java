@@ -43,14 +43,15 @@ record TaskRow(
     @Nullable Long loadId,
     @Nullable Instant loadSince,
     @Nested("trouble") @Nullable TroubleColumns trouble,
-    @Nested("order") @Nullable OrderColumns order) {
+    @Nested("order") @Nullable OrderColumns order,
+    @Nullable String onlyRobots) {
 
   static final String COLUMNS =
       """
       id, name, user_name, user_id, floor, load_kg, load_length, load_width, start_x, start_y, start_station,
       goal_x, goal_y, goal_station, priority, deadline, state, created_at, changed_at, held, ending,
       set_down_x, set_down_y, load_id, load_since, trouble_robot, trouble_why, trouble_said, trouble_x, trouble_y, trouble_waits,
-      order_id, order_part, awaits_previous as order_awaits,
+      only_robots, order_id, order_part, awaits_previous as order_awaits,
       (select o.name from orders o where o.id = tasks.order_id) as order_name,
       (select o.kind from orders o where o.id = tasks.order_id) as order_kind,
       (select o.parts from orders o where o.id = tasks.order_id) as order_parts
@@ -116,7 +117,8 @@ record TaskRow(
         userName,
         userId,
         createdAt,
-        order == null ? null : order.toOrderPart());
+        order == null ? null : order.toOrderPart(),
+        RobotNames.read(onlyRobots));
   }
 
   /** Null where nobody said it. */

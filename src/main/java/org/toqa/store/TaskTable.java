@@ -41,10 +41,10 @@ final class TaskTable {
                     """
                       insert into tasks (name, user_id, user_name, floor, load_kg, load_length, load_width,
                         start_x, start_y, start_station, goal_x, goal_y, goal_station, priority, deadline,
-                        state, created_at, changed_at, submission, order_id, order_part, awaits_previous)
+                        state, created_at, changed_at, submission, order_id, order_part, awaits_previous, only_robots)
                       values (:name, :owner, :user, :floor, :load,
                         :length, :width, :startX, :startY, :startStation, :goalX, :goalY, :goalStation,
-                        :priority, :deadline, 'QUEUED', :at, :at, :submission, :order, :part, :awaits)
+                        :priority, :deadline, 'QUEUED', :at, :at, :submission, :order, :part, :awaits, :onlyRobots)
                       """),
                 task)
             .bind("owner", owner)
@@ -76,7 +76,8 @@ final class TaskTable {
         .bind("goalY", task.goal().position().y())
         .bind("goalStation", task.goal().station())
         .bind("priority", task.priority())
-        .bind("deadline", task.deadline());
+        .bind("deadline", task.deadline())
+        .bind("onlyRobots", RobotNames.write(task.onlyRobots()));
   }
 
   /**
@@ -121,7 +122,7 @@ final class TaskTable {
             update tasks set user_id = (select id from users where id = :owner), user_name = :user,
               name = :name, floor = :floor, load_kg = :load, load_length = :length, load_width = :width,
               start_x = :startX, start_y = :startY, start_station = :startStation,
-              goal_x = :goalX, goal_y = :goalY, goal_station = :goalStation, deadline = :deadline,
+              goal_x = :goalX, goal_y = :goalY, goal_station = :goalStation, deadline = :deadline, only_robots = :onlyRobots,
               state = :state, changed_at = :at, priority = :priority, held = :held, ending = :ending,
               assigned_at = coalesce(assigned_at, :assigned), delivered_at = coalesce(delivered_at, :delivered),
               set_down_x = :setDownX, set_down_y = :setDownY, trouble_robot = :troubleRobot,

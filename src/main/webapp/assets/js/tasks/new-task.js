@@ -150,6 +150,7 @@ class NewTaskPage {
       floor: this.#floor?.name,
       priority: number('priority'),
       size: length && width ? {length, width} : undefined,
+      onlyRobots: [...document.querySelectorAll('input[name="onlyRobots"]:checked')].map(({value}) => value),
     };
   }
 

@@ -110,6 +110,61 @@ class AllocatorContractTest {
 
   @ParameterizedTest
   @MethodSource("allocators")
+  void aTaskForCertainRobotsGoesToNoOthers(Allocator allocator) {
+    int given = 0;
+    for (int seed = 0; seed < SEEDS; seed++) {
+      AllocationProblem problem = withChoices(Floors.random(seed, 1 + seed % 12, 4 + seed % 9, 3));
+      for (Decision decision : allocator.allocate(problem)) {
+        AllocationTask task =
+            Stream.concat(
+                    problem.waiting().stream(),
+                    problem.givenTasks().stream().map(AllocationProblem.GivenTask::task))
+                .filter(t -> t.id() == decision.task())
+                .findFirst()
+                .orElseThrow();
+        for (String robot : Outcome.robots(decision)) {
+          assertTrue(task.allows(robot), "seed " + seed + ": " + robot + " " + task);
+          given += task.onlyRobots().isEmpty() ? 0 : 1;
+        }
+      }
+    }
+    assertTrue(given > SEEDS, "given to a chosen robot: " + given);
+  }
+
+  /** Most tasks may be had by some robots only; who has one may have it. */
+  private static AllocationProblem withChoices(AllocationProblem problem) {
+    List<String> names = problem.robots().stream().map(Candidate::robot).toList();
+    return new AllocationProblem(
+        problem.now(),
+        problem.low(),
+        problem.high(),
+        problem.terrain(),
+        problem.waiting().stream()
+            .map(task -> task.withOnlyRobots(chosen(names, task.id())))
+            .toList(),
+        problem.givenTasks().stream()
+            .map(
+                held ->
+                    new AllocationProblem.GivenTask(
+                        held.task()
+                            .withOnlyRobots(
+                                List.of(
+                                    held.robot(),
+                                    names.get((int) held.task().id() % names.size()))),
+                        held.robot()))
+            .toList(),
+        problem.robots(),
+        problem.placesInUse());
+  }
+
+  private static List<String> chosen(List<String> names, long task) {
+    return task % 4 == 0
+        ? List.of()
+        : names.stream().filter(name -> (name.hashCode() + task) % 3 != 0).toList();
+  }
+
+  @ParameterizedTest
+  @MethodSource("allocators")
   void aTaskIsServedInTheEndThoughNearerAndMoreUrgentOnesKeepComing(Allocator allocator) {
     AllocationTask far = new AllocationTask(0, 4, new Vec2(79, 5), new Vec2(79, 6), NOON);
     List<AllocationTask> waiting = new ArrayList<>(List.of(far));

@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertInstanceOf;
 import static org.junit.jupiter.api.Assertions.assertNull;
 
 import java.time.InstantSource;
+import java.util.List;
 import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.Test;
 import org.toqa.accounts.Role;
@@ -41,6 +42,69 @@ class FleetQueueTest extends HallFleetTest {
     until(view -> task(view, task).blocked());
     accepted(stage.fleet.commandTask(task, new MissionEvent.Hold("Max")));
     until(view -> !task(view, task).blocked());
+  }
+
+  @Test
+  void aTaskForOneRobotWaitsForThatOneAlsoAfterARestart() throws Exception {
+    reopenWith("r2", EAST, "P2");
+    until(view -> view.robots().stream().allMatch(r -> r.state() == RobotState.IDLE));
+    accepted(stage.fleet.holdRobot("r2", "Max"));
+    until(view -> robot(view, "r2").work().held());
+
+    long task = submit(only(1, "r2"));
+    until(view -> "Only r2 may do this, and it is on hold.".equals(waitReason(view, task)));
+    stage.restart();
+    until(
+        view ->
+            robot(view, "r1").state() == RobotState.IDLE
+                && "Only r2 may do this, and it is on hold.".equals(waitReason(view, task)));
+    accepted(stage.fleet.resumeRobot("r2", "Max"));
+
+    until(view -> task(view, task).state() == TaskState.DONE);
+    assertEquals(List.of("r2"), stage.store.task(task).orElseThrow().robots());
+  }
+
+  @Test
+  void aTaskForRobotsThatCanNeverDoItIsRefused() throws Exception {
+    reopenWith("r2", EAST, "P2");
+    until(view -> view.robots().stream().allMatch(r -> r.state() == RobotState.IDLE));
+    double most = robot(stage.fleet.snapshots().latest(), "r2").maxLoad();
+
+    assertEquals(
+        "There is no robot r9 on the floor hall; there are: r1, r2.", refusal(only(1, "r1", "r9")));
+    assertEquals(
+        "The load weighs %.0f kg; r2 can carry %.0f kg. Allow more or stronger robots, or split the load."
+            .formatted(2 * most, most),
+        refusal(only(2 * most, "r2")));
+  }
+
+  @Test
+  void aTaskWhoseOnlyRobotIsRemovedNeedsAttention() throws Exception {
+    reopenWith("r2", EAST, "P2");
+    until(view -> view.robots().stream().allMatch(r -> r.state() == RobotState.IDLE));
+    accepted(stage.fleet.takeOutOfService("r2", "Max"));
+    long task = submit(only(1, "r2"));
+    until(view -> "Only r2 may do this, and it is out of service.".equals(waitReason(view, task)));
+
+    accepted(stage.fleet.removeRobot("r2", "Max"));
+
+    until(view -> task(view, task).blocked());
+    assertEquals(
+        "Only r2 may do this, and there is no such robot on this floor. Order it anew for others, or cancel it.",
+        waitReason(stage.fleet.snapshots().latest(), task));
+  }
+
+  private static TaskOrder only(double load, String... robots) {
+    TaskOrder order = order(load);
+    return new TaskOrder(
+        order.name(), load, order.start(), order.goal(), null, 0, null, null, List.of(robots));
+  }
+
+  private String refusal(TaskOrder order) throws Exception {
+    Answer<TaskView> answer = answer(stage.fleet.submit(order, "Clara"));
+    Answer.Rejected<?> rejected = assertInstanceOf(Answer.Rejected.class, answer);
+    assertEquals("onlyRobots", rejected.field());
+    return rejected.sentence().english();
   }
 
   @Test

@@ -61,17 +61,18 @@ class FleetStoreTest extends FleetDatabaseTest {
   void aTaskComesBackWithEveryField() {
     TransportTask asked =
         new TransportTask(
-            0,
-            "Kiste für Zoë \uD83D\uDCE6 <b>",
-            2.25,
-            new TaskPlace(new Vec2(1.5, -2.5), "Store A"),
-            new TaskPlace(new Vec2(0.1, 0.2), null),
-            "lab",
-            3,
-            AT.plusSeconds(60),
-            new LoadSize(0.6, 0.4),
-            "Ann",
-            AT);
+                0,
+                "Kiste für Zoë \uD83D\uDCE6 <b>",
+                2.25,
+                new TaskPlace(new Vec2(1.5, -2.5), "Store A"),
+                new TaskPlace(new Vec2(0.1, 0.2), null),
+                "lab",
+                3,
+                AT.plusSeconds(60),
+                new LoadSize(0.6, 0.4),
+                "Ann",
+                AT)
+            .withOnlyRobots(List.of("r2", "r.1_b"));
     TransportTask stored = added(asked);
     assertTrue(stored.id() > 0);
     assertEquals(List.of(new OpenTask(Mission.queued(stored), AT)), store.openTasks());

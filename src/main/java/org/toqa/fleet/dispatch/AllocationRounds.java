@@ -10,6 +10,7 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.Executor;
+import java.util.function.Predicate;
 import java.util.stream.Collectors;
 import org.apache.pekko.actor.typed.ActorRef;
 import org.jspecify.annotations.Nullable;
@@ -136,19 +137,18 @@ final class AllocationRounds {
     List<Candidate> robotsHere = state.candidates();
     List<GivenTask> given =
         exchanges.exchangeableTasks(state.assignedTasks(), state.robotsHere(), state.now);
-    double strongest = maxFreeLoad(robotsHere, given);
-    double strongestOfAll = robotsHere.stream().mapToDouble(Candidate::maxLoad).max().orElse(0);
-    boolean isAnyFree = strongest > 0;
+    Strongest ofAll = Strongest.of(robotsHere, given, _ -> true);
     List<AllocationTask> jobs =
         state
             .queue
             .firstJobs(
                 queued ->
                     state.legs.reasonToWait(queued.task()).isEmpty()
-                        && (queued.task().load() <= strongest
-                            || (isAnyFree
-                                && queued.task().load() > strongestOfAll
-                                && !rooms.isWithoutRoom(queued.task().id()))),
+                        && isWorthAsking(
+                            queued.task(),
+                            queued.task().onlyRobots().isEmpty()
+                                ? ofAll
+                                : Strongest.of(robotsHere, given, queued.task()::allows)),
                 DispatchState.TASKS_CONSIDERED)
             .stream()
             .map(rooms::restricted)
@@ -214,16 +214,41 @@ final class AllocationRounds {
     return robots.stream().filter(robot -> chosen.contains(robot.robot())).toList();
   }
 
-  /** What a robot that is free, or may be by an exchange, carries; nothing while none is free. */
-  private static double maxFreeLoad(List<Candidate> robotsHere, List<GivenTask> given) {
-    Set<String> holders = given.stream().map(GivenTask::robot).collect(Collectors.toSet());
-    return robotsHere.stream().noneMatch(r -> r.availability() == Availability.FREE)
-        ? Double.NEGATIVE_INFINITY
-        : robotsHere.stream()
-            .filter(r -> r.availability() == Availability.FREE || holders.contains(r.robot()))
-            .mapToDouble(Candidate::maxLoad)
-            .max()
-            .orElse(Double.NEGATIVE_INFINITY);
+  /**
+   * What one of the robots carries that may have a task, kilograms.
+   *
+   * @param free the most of those that are free, or may be by an exchange; nothing while none is
+   *     free
+   * @param all the most of all, whatever they do
+   */
+  private record Strongest(double free, double all) {
+    static Strongest of(List<Candidate> robots, List<GivenTask> given, Predicate<String> mayHave) {
+      Set<String> holders = given.stream().map(GivenTask::robot).collect(Collectors.toSet());
+      boolean isAnyFree = robots.stream().anyMatch(r -> r.availability() == Availability.FREE);
+      return new Strongest(
+          most(
+              robots,
+              r ->
+                  isAnyFree
+                      && mayHave.test(r.robot())
+                      && (r.availability() == Availability.FREE || holders.contains(r.robot()))),
+          most(robots, r -> mayHave.test(r.robot())));
+    }
+
+    private static double most(List<Candidate> robots, Predicate<Candidate> which) {
+      return robots.stream()
+          .filter(which)
+          .mapToDouble(Candidate::maxLoad)
+          .max()
+          .orElse(Double.NEGATIVE_INFINITY);
+    }
+  }
+
+  private boolean isWorthAsking(TransportTask task, Strongest strongest) {
+    return task.load() <= strongest.free()
+        || (strongest.free() > 0
+            && task.load() > strongest.all()
+            && !rooms.isWithoutRoom(task.id()));
   }
 
   AllocationProblem problem(

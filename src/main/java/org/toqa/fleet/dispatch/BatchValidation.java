@@ -30,12 +30,7 @@ public record BatchValidation(
   /**
    * @param tasks of the orders that are good; their ids are not known yet
    */
-  public record Result(List<TransportTask> tasks, List<Rejection> rejections) {
-    /** The heaviest load of a good order, kilograms; 0 where there is none. */
-    double heaviestLoad() {
-      return tasks.stream().mapToDouble(TransportTask::load).max().orElse(0);
-    }
-  }
+  public record Result(List<TransportTask> tasks, List<Rejection> rejections) {}
 
   /** Checks one order after the other. */
   CompletableFuture<Result> run() {

@@ -2,6 +2,7 @@ package org.toqa.fleet.dispatch;
 
 import java.util.Comparator;
 import java.util.List;
+import java.util.Map;
 import java.util.stream.Stream;
 import org.toqa.allocation.Candidate;
 import org.toqa.allocation.TeamSize;
@@ -12,8 +13,34 @@ import org.toqa.mission.TransportTask;
  *
  * @param total of all together, kilograms
  * @param robots those that were reported
+ * @param maxLoads by name of each robot that was added to the floor, kilograms
  */
-record Capacity(double total, List<Candidate> robots) {
+record Capacity(double total, List<Candidate> robots, Map<String, Double> maxLoads) {
+
+  /** Whether the robots that may carry the task are strong enough, alone or together. */
+  boolean isEnoughFor(TransportTask task) {
+    return isEnoughFor(task.load(), task.onlyRobots());
+  }
+
+  /**
+   * @param load kilograms
+   * @param onlyRobots that may carry it; empty: all
+   */
+  boolean isEnoughFor(double load, List<String> onlyRobots) {
+    if (onlyRobots.isEmpty()) {
+      return load <= total;
+    }
+    List<Candidate> reported =
+        robots.stream().filter(robot -> onlyRobots.contains(robot.robot())).toList();
+    return maxLoads.keySet().containsAll(onlyRobots)
+        && load <= together(onlyRobots)
+        && (reported.size() < onlyRobots.size() || TeamSize.smallest(load, reported).isPresent());
+  }
+
+  /** What these carry together, kilograms. */
+  double together(List<String> chosen) {
+    return chosen.stream().mapToDouble(robot -> maxLoads.getOrDefault(robot, 0.0)).sum();
+  }
 
   /**
    * The teams whose room is looked at: the smallest whose maximum loads add up to the load, of the
@@ -31,7 +58,10 @@ record Capacity(double total, List<Candidate> robots) {
    */
   static List<List<Candidate>> narrowestTeams(TransportTask task, List<Candidate> robots) {
     List<Candidate> narrowestFirst =
-        robots.stream().sorted(Comparator.comparingDouble(Candidate::diameter)).toList();
+        robots.stream()
+            .filter(robot -> task.allows(robot.robot()))
+            .sorted(Comparator.comparingDouble(Candidate::diameter))
+            .toList();
     if (TeamSize.smallest(task.load(), narrowestFirst).filter(size -> size > 1).isEmpty()) {
       return List.of();
     }

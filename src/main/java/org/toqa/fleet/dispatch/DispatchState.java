@@ -152,7 +152,7 @@ final class DispatchState {
    * What all robots carry together, kilograms: no more than each says and than a person entered. A
    * robot that was never connected does not count, once another was.
    */
-  double totalCapacity() {
+  private double totalCapacity() {
     if (robots.isEmpty()) {
       return Double.MAX_VALUE;
     }
@@ -166,7 +166,12 @@ final class DispatchState {
   }
 
   Capacity capacity() {
-    return new Capacity(totalCapacity(), candidates());
+    Map<String, Double> maxLoads =
+        robots.values().stream().collect(Collectors.toMap(RobotRecord::name, RobotRecord::maxLoad));
+    robotsHere().stream()
+        .filter(RobotView::isLoadKnown)
+        .forEach(robot -> maxLoads.computeIfPresent(robot.name(), (_, _) -> robot.maxLoad()));
+    return new Capacity(totalCapacity(), candidates(), maxLoads);
   }
 
   /** Whether the floor's agent has the task: it has robots, or its load lies there. */

@@ -67,7 +67,7 @@ final class OrderValidator {
    */
   CompletionStage<List<Answer<TransportTask>>> checkAll(
       TaskOrder order, String user, Instant now, Capacity capacity, OrderChecks.Check check) {
-    List<Answer<TransportTask>> resolved = resolveTask(order, user, now, capacity.total());
+    List<Answer<TransportTask>> resolved = resolveTask(order, user, now, capacity);
     return resolved.getFirst() instanceof Answer.Accepted<TransportTask>(TransportTask task)
         ? checkPath(task, capacity, check)
             .thenCompose(checked -> checkRoom(checked, capacity, check))
@@ -77,12 +77,15 @@ final class OrderValidator {
 
   /** All of the check that needs no path. */
   private List<Answer<TransportTask>> resolveTask(
-      TaskOrder order, String user, Instant now, double totalCapacity) {
+      TaskOrder order, String user, Instant now, Capacity capacity) {
     List<Answer<TransportTask>> rejections = new ArrayList<>();
-    if (order.load() > totalCapacity) {
+    if (order.load() > capacity.total()) {
       rejections.add(
           new Answer.Rejected<>(
-              "load", Phrase.TOO_HEAVY_TOGETHER.with(order.load(), totalCapacity)));
+              "load", Phrase.TOO_HEAVY_TOGETHER.with(order.load(), capacity.total())));
+    } else {
+      objectionToChosen(order, capacity)
+          .ifPresent(why -> rejections.add(new Answer.Rejected<>("onlyRobots", why)));
     }
     Answer<TaskPlace> start = resolvePlace(Phrase.START, order.start());
     Answer<TaskPlace> goal = resolvePlace(Phrase.GOAL, order.goal());
@@ -100,6 +103,26 @@ final class OrderValidator {
       }
     }
     return rejections;
+  }
+
+  /** Of the robots that alone may carry it: whether they are there, and can. */
+  private Optional<Sentence> objectionToChosen(TaskOrder order, Capacity capacity) {
+    List<String> chosen = order.onlyRobots();
+    Optional<String> unknown =
+        chosen.stream().filter(robot -> !capacity.maxLoads().containsKey(robot)).findFirst();
+    if (unknown.isPresent()) {
+      List<String> known = capacity.maxLoads().keySet().stream().sorted().toList();
+      return Optional.of(
+          Phrase.NO_SUCH_ROBOT_ON_FLOOR.with(
+              unknown.get(),
+              Sentence.verbatim(floor.name()),
+              known.isEmpty() ? Phrase.NONE_ON_FLOOR.with() : Sentence.names(known)));
+    }
+    return capacity.isEnoughFor(order.load(), chosen)
+        ? Optional.empty()
+        : Optional.of(
+            Phrase.TOO_HEAVY_FOR_CHOSEN.with(
+                order.load(), Sentence.names(chosen), capacity.together(chosen)));
   }
 
   /**

@@ -114,7 +114,7 @@ final class TaskCommandHandler {
       request.replyTo().tell(StatusReply.error(requireNonNull(m.failure())));
     } else if (!(checked instanceof Answer.Accepted<TransportTask>(TransportTask task))) {
       request.replyTo().tell(StatusReply.success(checked.asRejection()));
-    } else if (task.load() > state.totalCapacity()) {
+    } else if (!state.capacity().isEnoughFor(task)) {
       submitTask(request);
     } else {
       store(task, request);
@@ -148,7 +148,7 @@ final class TaskCommandHandler {
     BatchValidation.Result checked = m.checked();
     if (!checked.rejections().isEmpty()) {
       request.replyTo().tell(StatusReply.success(new BatchAnswer.Rejected(checked.rejections())));
-    } else if (checked.heaviestLoad() > state.totalCapacity()) {
+    } else if (!checked.tasks().stream().allMatch(state.capacity()::isEnoughFor)) {
       check(request);
     } else {
       submitter.submit(
@@ -224,7 +224,7 @@ final class TaskCommandHandler {
   void previewOrderChecked(DispatchMessage.PreviewOrderChecked m) {
     TransportTask task = m.task();
     DispatchMessage.PreviewTask request = m.request();
-    if (task.load() > state.totalCapacity()) {
+    if (!state.capacity().isEnoughFor(task)) {
       previewTask(request);
       return;
     }

@@ -72,7 +72,7 @@ final class TaskPreviewer {
     List<String> chosen = chosen(decision);
     int robots =
         chosen.isEmpty()
-            ? TeamSize.smallest(task.load(), problem.robots()).orElse(0)
+            ? TeamSize.smallest(task.load(), allowed(task, problem)).orElse(0)
             : chosen.size();
     return path(task)
         .thenApply(
@@ -80,6 +80,10 @@ final class TaskPreviewer {
                 noRoom
                     .map(objection -> new TaskPreview(robots, List.of(), objection, path))
                     .orElseGet(() -> new TaskPreview(robots, chosen, decision.reason(), path)));
+  }
+
+  private static List<Candidate> allowed(TransportTask task, AllocationProblem problem) {
+    return problem.robots().stream().filter(robot -> task.allows(robot.robot())).toList();
   }
 
   private static boolean hasDifferential(List<Candidate> team) {

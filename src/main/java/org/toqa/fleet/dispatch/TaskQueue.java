@@ -52,11 +52,12 @@ final class TaskQueue {
    */
   static AllocationTask job(TransportTask task, TaskPlace object) {
     return new AllocationTask(
-        task.id(),
-        task.load(),
-        object.position(),
-        task.goal().position(),
-        AllocationTask.waitingSince(task.createdAt(), task.priority(), task.deadline()));
+            task.id(),
+            task.load(),
+            object.position(),
+            task.goal().position(),
+            AllocationTask.waitingSince(task.createdAt(), task.priority(), task.deadline()))
+        .withOnlyRobots(task.onlyRobots());
   }
 
   Optional<Queued> get(long id) {

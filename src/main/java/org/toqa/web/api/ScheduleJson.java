@@ -53,7 +53,8 @@ record ScheduleJson(
       WhereJson goal,
       @Nullable String floor,
       int priority,
-      @Nullable LoadSize size) {
+      @Nullable LoadSize size,
+      List<String> onlyRobots) {
     static OrderJson of(TaskOrder order) {
       return new OrderJson(
           order.name(),
@@ -62,7 +63,8 @@ record ScheduleJson(
           WhereJson.of(order.goal()),
           order.floor(),
           order.priority(),
-          order.size());
+          order.size(),
+          order.onlyRobots());
     }
   }
 

@@ -21,6 +21,7 @@ import org.toqa.wording.Sentence;
  * @param loadAt where the load is if that is neither its start nor its goal
  * @param blocked whether it waits for what will not come by itself
  * @param order which part of an order it is
+ * @param onlyRobots those that may carry it; empty: whichever there are
  * @param followed whether the caller follows it; left out of lists and of the live stream
  * @param history left out there too
  * @param negotiation what was last said of it by robots' agents; left out there too
@@ -47,6 +48,7 @@ public record TaskJson(
     @Nullable Sentence late,
     @Nullable Question needs,
     @Nullable OrderPartJson order,
+    List<String> onlyRobots,
     @JsonInclude(JsonInclude.Include.NON_NULL) @Nullable Boolean followed,
     @JsonInclude(JsonInclude.Include.NON_NULL) @Nullable List<EventJson> history,
     @JsonInclude(JsonInclude.Include.NON_NULL) @Nullable List<LineJson> negotiation) {
@@ -126,6 +128,7 @@ public record TaskJson(
         view.late(),
         view.needs(),
         OrderPartJson.of(task.part()),
+        task.onlyRobots(),
         followed,
         history,
         negotiation);

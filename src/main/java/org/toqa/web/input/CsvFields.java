@@ -8,7 +8,6 @@ import java.time.ZoneId;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 import org.toqa.fleet.TaskOrder.Where;
 import org.toqa.geometry.Vec2;
@@ -36,9 +35,11 @@ record CsvFields(
     return given.isEmpty() ? null : given;
   }
 
+  /** With blanks, commas or semicolons between. */
   @Override
   public List<String> choices(String column) {
-    return Stream.ofNullable(text(column)).toList();
+    String given = text(column);
+    return given == null ? List.of() : List.of(given.split("[\\s,;]+"));
   }
 
   @Override

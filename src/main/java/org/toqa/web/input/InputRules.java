@@ -16,6 +16,7 @@ import org.toqa.accounts.Role;
 import org.toqa.accounts.Scope;
 import org.toqa.accounts.Site;
 import org.toqa.fleet.PartsOrder;
+import org.toqa.fleet.TaskOrder;
 import org.toqa.link.http.RobotToken;
 import org.toqa.link.trust.Fingerprint;
 import org.toqa.link.trust.PairingCode;
@@ -205,6 +206,17 @@ public final class InputRules {
       refuse(field, "error.robotName");
     }
     return name;
+  }
+
+  /** Names of robots, each once; empty where none are given. */
+  public List<String> robotNames(String field, List<String> given) {
+    List<String> names = given.stream().map(String::strip).distinct().toList();
+    if (names.size() > TaskOrder.MAX_ONLY_ROBOTS) {
+      refuse(field, "error.listLong", field, TaskOrder.MAX_ONLY_ROBOTS);
+    } else if (!names.stream().allMatch(name -> ROBOT_NAME.matcher(name).matches())) {
+      refuse(field, "error.robotNames");
+    }
+    return names;
   }
 
   public String host(String field, @Nullable String given) {

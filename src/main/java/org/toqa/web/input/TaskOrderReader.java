@@ -126,6 +126,7 @@ public final class TaskOrderReader {
         fields.text("floor"),
         rules.priority(fields.path("priority"), fields.number("priority")),
         deadlineRule.apply(fields.moment("deadline", "error.deadline")),
-        fields.size("size"));
+        fields.size("size"),
+        rules.robotNames(fields.path("onlyRobots"), fields.choices("onlyRobots")));
   }
 }

@@ -34,6 +34,7 @@ final class TaskOrderTable {
           "floor",
           "priority",
           "deadline",
+          "onlyRobots",
           "length",
           "width");
 

@@ -30,7 +30,15 @@ public record Version(String text) {
   public static Version ofOrder(TaskView task) {
     TransportTask t = task.task();
     return of(
-        t.name(), t.load(), t.start(), t.goal(), t.floor(), t.priority(), t.deadline(), t.size());
+        t.name(),
+        t.load(),
+        t.start(),
+        t.goal(),
+        t.floor(),
+        t.priority(),
+        t.deadline(),
+        t.size(),
+        t.onlyRobots());
   }
 
   public static Version of(TaskView task) {

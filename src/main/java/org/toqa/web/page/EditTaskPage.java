@@ -36,7 +36,8 @@ public final class EditTaskPage extends PageHandler {
       throws ServletException, IOException {
     Optional<TaskView> task = TaskPage.changeableTask(request, response);
     if (task.isPresent()) {
-      HttpServletRequest filled = new Filled(request, entries(task.get().task()));
+      HttpServletRequest filled =
+          new Filled(request, entries(task.get().task()), task.get().task().onlyRobots());
       filled.setAttribute("deadlineInUtc", filled.getParameter("deadline"));
       addAttributes(filled, task.get());
       show(filled, response, "new-task");
@@ -150,10 +151,19 @@ public final class EditTaskPage extends PageHandler {
   /** A request with entries for fields that it does not name. */
   private static final class Filled extends HttpServletRequestWrapper {
     private final Map<String, String> entries;
+    private final List<String> onlyRobots;
 
-    Filled(HttpServletRequest request, Map<String, String> entries) {
+    Filled(HttpServletRequest request, Map<String, String> entries, List<String> onlyRobots) {
       super(request);
       this.entries = entries;
+      this.onlyRobots = onlyRobots;
+    }
+
+    @Override
+    public String @Nullable [] getParameterValues(String name) {
+      return name.equals("onlyRobots")
+          ? onlyRobots.toArray(String[]::new)
+          : super.getParameterValues(name);
     }
 
     @Override

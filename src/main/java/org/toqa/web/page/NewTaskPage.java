@@ -15,6 +15,7 @@ import org.toqa.accounts.Account;
 import org.toqa.fleet.CheckRefusedException;
 import org.toqa.fleet.KeyedAnswer;
 import org.toqa.fleet.PartsOrder;
+import org.toqa.fleet.RobotView;
 import org.toqa.fleet.Schedule;
 import org.toqa.fleet.TaskOrder;
 import org.toqa.fleet.TaskView;
@@ -171,5 +172,11 @@ public final class NewTaskPage extends PageHandler {
             .orElseGet(floors::getFirst);
     request.setAttribute("weekdays", DayOfWeek.values());
     request.setAttribute("floor", floor);
+    request.setAttribute(
+        "robots",
+        services(request).fleet().snapshots().latest().robots().stream()
+            .filter(robot -> robot.floor().equals(floor.name()))
+            .map(RobotView::name)
+            .toList());
   }
 }

@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertInstanceOf;
 import java.time.Instant;
 import java.util.BitSet;
 import java.util.List;
+import java.util.Map;
 import java.util.Set;
 import org.junit.jupiter.api.Test;
 import org.toqa.fleet.Answer;
@@ -44,7 +45,7 @@ class OrderValidatorTest {
             order,
             "clerk",
             Instant.EPOCH,
-            new Capacity(100, List.of()),
+            new Capacity(100, List.of(), Map.of()),
             new OrderChecks(Runnable::run, 1, System::nanoTime).begin("clerk"))
         .toCompletableFuture()
         .join();

@@ -52,6 +52,19 @@ class ApiTasksTest extends ApiTestServer {
   }
 
   @Test
+  void aTaskSaysWhichRobotsAloneMayDoIt() {
+    HttpResponse<String> answer =
+        post(
+            token,
+            "api/v1/tasks",
+            GOOD_TASK.replaceFirst("\\{", "{\"onlyRobots\":[\"r2\",\"r1\",\"r2\"],"));
+
+    assertEquals(201, answer.statusCode(), answer.body());
+    JsonNode robots = JSON.readTree(answer.body()).get("onlyRobots");
+    assertEquals(List.of("r2", "r1"), robots.values().stream().map(JsonNode::stringValue).toList());
+  }
+
+  @Test
   void aTaskHasAllThatIsPromised() {
     long id = JSON.readTree(post(token, "api/v1/tasks", GOOD_TASK).body()).get("id").asLong();
 
@@ -96,8 +109,10 @@ class ApiTasksTest extends ApiTestServer {
           {"name":"x","load":2,"start":{"x":1},"goal":{"station":"Shelf 3"}} | 422 | Choose a station, or enter x and y in metres.
           {"name":"x","load":2,"start":{"x":1,"y":1,"station":"Dock A"},"goal":{"station":"Shelf 3"}} | 422 | “start” must be an object with the name of a station ("station": "Store A") or with x and y in metres ("x": 1.5, "y": 2).
           {"name":"x","load":2,"goal":{"station":"Shelf 3"}} | 422 | “start” must be an object with the name of a station ("station": "Store A") or with x and y in metres ("x": 1.5, "y": 2).
-          {"name":"x","load":2,"start":{"station":"Dock A"},"goal":{"station":"Shelf 3"},"colour":"red"} | 422 | Unknown field “colour”. Allowed: name, load, start, goal, floor, priority, deadline, size.
+          {"name":"x","load":2,"start":{"station":"Dock A"},"goal":{"station":"Shelf 3"},"colour":"red"} | 422 | Unknown field “colour”. Allowed: name, load, start, goal, floor, priority, deadline, size, onlyRobots.
           {"name":"x","load":2,"start":{"station":"Dock A","z":1},"goal":{"station":"Shelf 3"}} | 422 | Unknown field “start.z”. Allowed: station.
+          {"name":"x","load":2,"start":{"station":"Dock A"},"goal":{"station":"Shelf 3"},"onlyRobots":"r1"} | 422 | “onlyRobots” must be a list of texts in brackets.
+          {"name":"x","load":2,"start":{"station":"Dock A"},"goal":{"station":"Shelf 3"},"onlyRobots":["r 1"]} | 422 | Name robots as the list of robots has them, such as r1 and r2.
           {"name":"x","load":0,"start":{"station":"Dock A"},"goal":{"station":"Shelf 3"}} | 422 | The weight must be above 0 and at most 100,000 kg.
           {"name":"x","load":1e999,"start":{"station":"Dock A"},"goal":{"station":"Shelf 3"}} | 422 | The weight must be above 0 and at most 100,000 kg.
           {"name":"x","load":2,"start":{"x":1e300,"y":1},"goal":{"station":"Shelf 3"}} | 422 | Coordinates must lie within 1,000,000 m of the map’s origin.
