@@ -169,8 +169,8 @@ class FleetServiceTest extends HallFleetTest {
 
     until(view -> robot(view, "r2").alert() != null);
     assertEquals(
-        "Stands in the way of r1 and cannot be moved: carry it away, and say that it does not stand"
-            + " there any more",
+        "Stands out of service at (4.50, 1.50) in the way of r1: put it back in service; or switch"
+            + " it off and carry it away, and its place is free",
         String.valueOf(robot(stage.fleet.snapshots().latest(), "r2").alert()));
     accepted(stage.fleet.putInService("r2", "Max"));
     until(view -> task(view, task).state() == TaskState.DONE && robot(view, "r2").alert() == null);

@@ -43,7 +43,7 @@ record OneSite(Services first) implements Sites {
 
   @Override
   public String logLevel() {
-    return LOG_LEVEL.get();
+    return String.valueOf(LOG_LEVEL.get());
   }
 
   @Override

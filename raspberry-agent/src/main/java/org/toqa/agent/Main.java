@@ -1,11 +1,16 @@
 package org.toqa.agent;
 
 import java.io.IOException;
+import java.io.InputStream;
+import java.io.PrintWriter;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.time.InstantSource;
+import java.util.Objects;
 import java.util.concurrent.Callable;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
+import org.jspecify.annotations.Nullable;
 import org.toqa.agent.access.PairingRequestFile;
 import org.toqa.agent.config.AgentConfig;
 import org.toqa.agent.config.ConfigException;
@@ -34,11 +39,15 @@ public final class Main implements Callable<Integer> {
 
   @Option(
       names = "--config",
-      required = true,
       paramLabel = "FILE",
-      description = "Configuration of the robot; agent.yaml explains every key.")
-  @SuppressWarnings("NullAway.Init") // set by picocli
-  private Path config;
+      description = "Configuration of the robot; --example prints one that explains every key.")
+  private @Nullable Path config;
+
+  @Option(
+      names = "--example",
+      description =
+          "Print a configuration, of a robot with a simulated body on this machine, and exit.")
+  private boolean example;
 
   @Option(
       names = "--pair",
@@ -67,12 +76,29 @@ public final class Main implements Callable<Integer> {
   @Override
   public Integer call() {
     try {
+      if (example) {
+        printExample();
+        return 0;
+      }
+      if (config == null) {
+        throw new ParameterException(
+            spec.commandLine(), "Missing required option: '--config=FILE', or '--example'");
+      }
       run(AgentConfig.read(config));
       return 0;
     } catch (ConfigException e) {
       return printError(e, WRONG_CONFIGURATION);
     } catch (IOException e) {
       return printError(e, FAILED);
+    }
+  }
+
+  /** The file that explains every key; it is a configuration that works. */
+  private void printExample() throws IOException {
+    try (InputStream file = Objects.requireNonNull(Main.class.getResourceAsStream("agent.yaml"))) {
+      PrintWriter out = spec.commandLine().getOut();
+      out.print(new String(file.readAllBytes(), StandardCharsets.UTF_8));
+      out.flush();
     }
   }
 

@@ -2,18 +2,16 @@ package org.toqa.fleet.floor;
 
 import java.time.Duration;
 import java.util.ArrayList;
-import java.util.EnumSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.Set;
 import java.util.TreeMap;
 import org.apache.pekko.actor.typed.ActorRef;
 import org.jspecify.annotations.Nullable;
 import org.toqa.fleet.FloorView;
-import org.toqa.fleet.RobotState;
 import org.toqa.fleet.RobotView;
 import org.toqa.fleet.TaskView;
+import org.toqa.geometry.Pose;
 import org.toqa.grid.CellRuns;
 import org.toqa.mission.AssignedRobot;
 import org.toqa.mission.Mission;
@@ -23,10 +21,6 @@ import org.toqa.wording.Sentence;
 
 /** What a floor tells the manager of itself, its robots and its tasks. */
 final class FloorReporter {
-  /** In these a robot does not move unless somebody comes. */
-  private static final Set<RobotState> MUST_BE_MOVED =
-      EnumSet.of(RobotState.OUT_OF_SERVICE, RobotState.ERROR, RobotState.LOST);
-
   /** A plan that takes so long is likely never to end. */
   private static final Duration PLAN_OVERDUE = Duration.ofSeconds(30);
 
@@ -94,19 +88,41 @@ final class FloorReporter {
             .map(m -> state.formations.driveGoal(m, robot.name()))
             .orElse(robot.drive.goal());
     RobotView view = robot.view(work, path);
-    return view.alert() != null || !MUST_BE_MOVED.contains(view.state())
-        ? view
+    return view.alert() != null ? view : inTheWay(robot, view).map(view::withAlert).orElse(view);
+  }
+
+  /** Where it stands in whose way, and what a person can do; empty: it moves by itself. */
+  private Optional<Sentence> inTheWay(FloorRobot robot, RobotView view) {
+    Pose pose = view.telemetry().pose();
+    @Nullable Phrase phrase =
+        switch (view.state()) {
+          case HOLDING -> Phrase.IN_THE_WAY_ON_HOLD;
+          case OUT_OF_SERVICE ->
+              robot.isHeard() ? Phrase.IN_THE_WAY_OUT_OF_SERVICE : Phrase.IN_THE_WAY_UNHEARD;
+          case CONNECTING, LOST -> Phrase.IN_THE_WAY_UNHEARD;
+          case NOT_LOCALISED -> Phrase.IN_THE_WAY_NOT_LOCALISED;
+          case ERROR -> Phrase.IN_THE_WAY_WITH_ERROR;
+          case IDLE, DRIVING, CHARGING -> null;
+        };
+    return phrase == null || pose == null
+        ? Optional.empty()
         : blockedRobot(robot.name())
-            .map(blocked -> view.withAlert(Phrase.STANDS_IN_THE_WAY.with(blocked)))
-            .orElse(view);
+            .map(blocked -> phrase.with(blocked, Sentence.of(pose.position())));
   }
 
   /** The first robot that does not get on since this one stands in its way. */
   private Optional<String> blockedRobot(String name) {
     return state.robots.keySet().stream()
         .filter(state.traffic::hasRobot)
+        .filter(other -> !isHeld(other))
         .filter(other -> state.traffic.blockingRobot(other).equals(Optional.of(name)))
         .findFirst();
+  }
+
+  /** One that is to stand itself is not kept by others. */
+  private boolean isHeld(String name) {
+    FloorRobot robot = state.robots.get(name);
+    return robot != null && robot.hold.isHeld();
   }
 
   TaskView view(OpenMissions.DatedMission dated) {
