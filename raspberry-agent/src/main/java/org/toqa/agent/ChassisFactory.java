@@ -4,9 +4,11 @@ import java.io.IOException;
 import java.nio.file.Path;
 import org.jspecify.annotations.Nullable;
 import org.toqa.agent.chassis.Chassis;
+import org.toqa.agent.chassis.SimulatedArm;
 import org.toqa.agent.chassis.SimulatedChassis;
 import org.toqa.agent.chassis.SimulatedWheels;
 import org.toqa.agent.config.AgentConfig;
+import org.toqa.agent.config.ArmConfig;
 import org.toqa.agent.config.ChassisConfig;
 import org.toqa.agent.firmware.FirmwareChassis;
 import org.toqa.agent.firmware.FirmwareSettings;
@@ -31,14 +33,17 @@ final class ChassisFactory {
   static Chassis open(AgentConfig config, Path folder, long nanos) throws IOException {
     return switch (config.chassis()) {
       case ChassisConfig.Simulated body ->
-          new SimulatedChassis(
-              folder.resolve("body"),
-              body.start(),
-              body.battery(),
-              SimulatedWheels.of(config.kind(), body.noise()),
-              body.seed(),
-              new RangeSensors(config.footprint() / 2),
-              body.surroundings());
+          withArm(
+              new SimulatedChassis(
+                  folder.resolve("body"),
+                  body.start(),
+                  body.battery(),
+                  SimulatedWheels.of(config.kind(), body.noise()),
+                  body.seed(),
+                  new RangeSensors(config.footprint() / 2),
+                  body.surroundings()),
+              config.arm(),
+              folder);
       case ChassisConfig.Http(var robot, var description, var listener) ->
           HttpChassis.open(robot, description, listener, folder.resolve("odometry"), nanos);
       case ChassisConfig.SimulatedFirmware(var socket, var start, var ranges, var settings) ->
@@ -49,6 +54,19 @@ final class ChassisFactory {
       case ChassisConfig.Serial(var device, var baud, var ranges, var settings) ->
           openFirmware(config, new SerialTransport(device, baud), null, ranges, settings, nanos);
     };
+  }
+
+  private static Chassis withArm(
+      SimulatedChassis body, @Nullable ArmConfig arm, Path folder) throws IOException {
+    if (arm != null) {
+      try {
+        body.mount(new SimulatedArm(folder.resolve("arm"), arm.arm(), arm.boxWeight()));
+      } catch (IOException e) {
+        body.close();
+        throw e;
+      }
+    }
+    return body;
   }
 
   private static Chassis openFirmware(

@@ -12,6 +12,7 @@ import org.slf4j.LoggerFactory;
 import org.toqa.agent.access.LinkEndpoint;
 import org.toqa.agent.access.LinkEndpointConfig;
 import org.toqa.agent.access.PeerRole;
+import org.toqa.agent.chassis.ArmDrive;
 import org.toqa.agent.chassis.Chassis;
 import org.toqa.agent.chassis.ChassisCommand;
 import org.toqa.agent.config.AgentConfig;
@@ -21,6 +22,8 @@ import org.toqa.agent.formation.FollowerConnector;
 import org.toqa.agent.formation.FormationBroadcasts;
 import org.toqa.agent.storage.DataFolder;
 import org.toqa.agent.storage.Journal;
+import org.toqa.arm.ArmCommand;
+import org.toqa.arm.ArmReading;
 import org.toqa.geometry.Pose;
 import org.toqa.link.message.AgentMessage;
 import org.toqa.link.message.AgentMessage.Ack;
@@ -61,6 +64,7 @@ public final class Daemon implements AutoCloseable {
   private final PeerConnections.Handler messageHandler = new MessageHandler();
 
   private int ticks;
+  private @Nullable ArmCommand armCommand;
   private ChassisCommand command = ChassisCommand.MoveAt.STANDSTILL;
   private volatile long nanos; // the endpoint's threads read it
 
@@ -150,7 +154,8 @@ public final class Daemon implements AutoCloseable {
               new Journal(folder.path()),
               chassis.exchange(ChassisCommand.MoveAt.STANDSTILL, nanos),
               endpoint.tls().isPresent(),
-              chassis::clearStops);
+              chassis::clearStops,
+              chassis.arm().map(ArmDrive::reading).orElse(null));
     } catch (IOException e) {
       endpoint.close();
       throw e;
@@ -245,14 +250,21 @@ public final class Daemon implements AutoCloseable {
     connections.process(messageHandler, now);
     broadcasts.takeAnswers().forEach(control::handle);
     command = control.drive(seconds, connections.isServerSilent(now));
+    chassis.arm().ifPresent(arm -> moveArm(arm, seconds, now));
     connections.answerLeader(control::answerTo);
     broadcasts.update(control.leadOrder(), control.done(), now);
     broadcasts.send(
         control.pose(), control.plannedTwist(), control.isBraking(), clock.millis(), now);
-    reporter.report(state(), control.done(), now);
+    reporter.report(state(), control.done(), control.acted(), now);
     if (ticks < SelfTest.TICKS && ++ticks == SelfTest.TICKS) {
       SelfTest.logResult(control.report());
     }
+  }
+
+  private void moveArm(ArmDrive arm, double seconds, long now) {
+    control.orderedLoad().ifPresent(arm::expectLoad);
+    ArmReading reading = armCommand == null ? arm.reading() : arm.exchange(armCommand, now);
+    armCommand = control.moveArm(seconds, reading);
   }
 
   private State state() {
@@ -287,7 +299,7 @@ public final class Daemon implements AutoCloseable {
 
     @Override
     public void serverConnected() {
-      reporter.restart(state(), control.done(), nanos);
+      reporter.restart(state(), control.done(), control.acted(), nanos);
     }
 
     @Override
@@ -302,6 +314,11 @@ public final class Daemon implements AutoCloseable {
     @Override
     public void doneAcknowledged(long drive) {
       control.acknowledgeDone(drive);
+    }
+
+    @Override
+    public void actedAcknowledged(long act) {
+      control.acknowledgeActed(act);
     }
 
     @Override

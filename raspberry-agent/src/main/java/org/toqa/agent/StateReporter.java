@@ -8,6 +8,9 @@ import java.util.stream.IntStream;
 import org.jspecify.annotations.Nullable;
 import org.toqa.geometry.Pose;
 import org.toqa.link.message.AgentMessage;
+import org.toqa.link.message.AgentMessage.ActEnd;
+import org.toqa.link.message.AgentMessage.Acted;
+import org.toqa.link.message.AgentMessage.ArmState;
 import org.toqa.link.message.AgentMessage.Done;
 import org.toqa.link.message.AgentMessage.Fault;
 import org.toqa.link.message.AgentMessage.PhaseEnd;
@@ -31,6 +34,8 @@ final class StateReporter {
   private long lastStateNanos;
   private @Nullable PhaseEnd lastDone;
   private long lastDoneNanos;
+  private @Nullable ActEnd lastActed;
+  private long lastActedNanos;
 
   /**
    * @param sender sends to the server, if there is one, without waiting
@@ -51,8 +56,11 @@ final class StateReporter {
    * already.
    *
    * @param done the last phase that was driven to its end
+   * @param acted how the last act ended
    */
-  void restart(State state, Optional<PhaseEnd> done, long nanos) {
+  void restart(State state, Optional<PhaseEnd> done, Optional<ActEnd> acted, long nanos) {
+    lastActed = acted.orElse(null);
+    lastActedNanos = nanos;
     send(state, nanos);
     lastDone = done.orElse(null);
     lastDoneNanos = nanos;
@@ -62,8 +70,9 @@ final class StateReporter {
    * Sends what is due.
    *
    * @param end the last phase that was driven to its end
+   * @param actEnd how the last act ended
    */
-  void report(State state, Optional<PhaseEnd> end, long nanos) {
+  void report(State state, Optional<PhaseEnd> end, Optional<ActEnd> actEnd, long nanos) {
     if (nanos - lastStateNanos >= STATE_INTERVAL_NANOS || hasChanged(state)) {
       send(state, nanos);
     }
@@ -73,6 +82,13 @@ final class StateReporter {
       lastDoneNanos = nanos;
     }
     lastDone = done;
+    ActEnd acted = actEnd.orElse(null);
+    if (acted != null
+        && (!acted.equals(lastActed) || nanos - lastActedNanos >= DONE_INTERVAL_NANOS)) {
+      sender.accept(Acted.of(acted));
+      lastActedNanos = nanos;
+    }
+    lastActed = acted;
   }
 
   private void send(State state, long nanos) {
@@ -92,7 +108,14 @@ final class StateReporter {
         || state.released() != before.released()
         || state.phase() != before.phase()
         || !Objects.equals(state.task(), before.task())
+        || hasChanged(state.arm(), before.arm())
         || !haveSameCodes(state.errors(), before.errors());
+  }
+
+  private static boolean hasChanged(@Nullable ArmState now, @Nullable ArmState before) {
+    return now != null
+        && before != null
+        && (now.step() != before.step() || !Objects.equals(now.act(), before.act()));
   }
 
   private static boolean haveSameCodes(List<Fault> some, List<Fault> others) {

@@ -12,10 +12,13 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Iterator;
 import java.util.List;
+import java.util.Objects;
 import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 import org.toqa.agent.chassis.SimulatedBattery;
+import org.toqa.agent.config.ArmConfig;
 import org.toqa.agent.config.ChassisConfig;
+import org.toqa.arm.ArmAction;
 import org.toqa.geometry.Angles;
 import org.toqa.geometry.Pose;
 import org.toqa.geometry.Vec2;
@@ -30,7 +33,11 @@ import org.toqa.link.message.DecodeResult.Invalid;
 import org.toqa.link.message.LineReader;
 import org.toqa.link.message.LinkCodec;
 import org.toqa.link.message.ServerMessage;
+import org.toqa.link.message.ServerMessage.AckActed;
 import org.toqa.link.message.ServerMessage.AckDone;
+import org.toqa.link.message.ServerMessage.Act;
+import org.toqa.link.message.ServerMessage.Frame;
+import org.toqa.motion.DriveKind;
 import org.toqa.link.message.ServerMessage.Cancel;
 import org.toqa.link.message.ServerMessage.Clear;
 import org.toqa.link.message.ServerMessage.Command;
@@ -78,6 +85,7 @@ final class FuzzedRobot implements AutoCloseable {
   private final TestServer server;
   private final TestServer leader;
   private int answersSeen;
+  private int statesSeen;
   private long lastSeq;
   private long leaderSeq;
   private boolean canMove;
@@ -112,7 +120,10 @@ final class FuzzedRobot implements AutoCloseable {
     rig =
         new Rig(
             folder,
-            new ChassisConfig.Simulated(Rig.START, SimulatedBattery.FULL, 0, 7, 1, witness));
+            DriveKind.OMNI,
+            new ChassisConfig.Simulated(Rig.START, SimulatedBattery.FULL, 0, 7, 1, witness),
+            chassis -> chassis,
+            new ArmConfig(ArmTest.ARM, null));
     server = rig.connect();
     server.synchronise();
     leader = rig.connect();
@@ -177,13 +188,17 @@ final class FuzzedRobot implements AutoCloseable {
             new Release(seq + 3, now.drive(), now.released() + 1),
             new Lead(seq + 4, TASK, 0.05, List.of(NOBODY), null),
             new Follow(seq + 5, TASK, "r9", null, new Vec2(-0.5, 0), 0.05, null),
+            new Act(seq + 6, TASK, 1, ArmAction.PICK, Frame.ROBOT, new Vec2(0.4, 0.1), 1),
+            new Act(
+                seq + 6, TASK, 2, ArmAction.PLACE, Frame.MAP, now.pose().position(), 1),
             new Hold(seq + 6),
             new Resume(seq + 7),
             new Clear(seq + 8, List.of("STOP_EDGE")),
             new Cancel(seq + 8, now.task()),
             new Locate(seq + 9, near),
             new Ping(seq + 10),
-            new AckDone(now.drive()))
+            new AckDone(now.drive()),
+            new AckActed(lastSeq))
         .map(FuzzedRobot::lineOf)
         .toList();
   }
@@ -216,7 +231,9 @@ final class FuzzedRobot implements AutoCloseable {
           count.read++;
           check(command, next.next(), line);
         }
-        case Decoded<ServerMessage>(AckDone _), Decoded<ServerMessage>(LeaderMessage _) ->
+        case Decoded<ServerMessage>(AckDone _),
+            Decoded<ServerMessage>(AckActed _),
+            Decoded<ServerMessage>(LeaderMessage _) ->
             count.read++;
       }
     }
@@ -259,6 +276,10 @@ final class FuzzedRobot implements AutoCloseable {
         assertTrue(follow.offset().norm() <= 50, () -> about(line));
         canMove = true;
       }
+      case Act act -> {
+        assertTrue(act.target().norm() <= 150_000 && act.load() >= 0, () -> about(line));
+        assertTrue(act.phase() >= 1 && act.phase() <= 3, () -> about(line));
+      }
       case Locate locate -> lastLocated = locate.pose();
       case Clear _ -> throw new AssertionError("nothing stops it, but " + about(line));
       case Lead _, Hold _, Resume _, Cancel _, Ping _ -> {}
@@ -288,6 +309,15 @@ final class FuzzedRobot implements AutoCloseable {
   }
 
   private void checkMotion() {
+    server.received(State.class).stream()
+        .skip(statesSeen)
+        .map(State::arm)
+        .filter(Objects::nonNull)
+        .forEach(
+            arm ->
+                assertTrue(
+                    ArmTest.ARM.allows(arm.joints()), () -> arm.joints() + ", seed " + seed));
+    statesSeen = server.received(State.class).size();
     double moved = witness.takeMoved();
     assertTrue(canMove || moved < 1e-6, () -> "moved without an order, seed " + seed);
     assertTrue(

@@ -14,6 +14,7 @@ import org.jspecify.annotations.Nullable;
 import org.toqa.agent.chassis.Chassis;
 import org.toqa.agent.chassis.SimulatedBattery;
 import org.toqa.agent.config.AgentConfig;
+import org.toqa.agent.config.ArmConfig;
 import org.toqa.agent.config.ChassisConfig;
 import org.toqa.agent.drive.MotionLimits;
 import org.toqa.agent.storage.DataFolder;
@@ -30,6 +31,7 @@ final class Rig implements AutoCloseable {
   private final DriveKind kind;
   private final ChassisConfig config;
   private final UnaryOperator<Chassis> wrapper;
+  private final @Nullable ArmConfig arm;
   private @Nullable Chassis body;
   private final List<TestServer> servers = new ArrayList<>();
   private long nanos;
@@ -58,6 +60,26 @@ final class Rig implements AutoCloseable {
    * @param wrapper what is put between the daemon and its body
    */
   Rig(Path folder, DriveKind kind, ChassisConfig body, UnaryOperator<Chassis> wrapper) {
+    this(folder, kind, body, wrapper, null);
+  }
+
+  /** With an arm. */
+  Rig(Path folder, ArmConfig arm) {
+    this(
+        folder,
+        DriveKind.OMNI,
+        new ChassisConfig.Simulated(START, SimulatedBattery.FULL, 0, 7, 1),
+        chassis -> chassis,
+        arm);
+  }
+
+  Rig(
+      Path folder,
+      DriveKind kind,
+      ChassisConfig body,
+      UnaryOperator<Chassis> wrapper,
+      @Nullable ArmConfig arm) {
+    this.arm = arm;
     this.kind = kind;
     this.folder = folder;
     this.config = body;
@@ -94,7 +116,8 @@ final class Rig implements AutoCloseable {
         kind,
         LIMITS,
         AgentConfig.Following.DEFAULT,
-        config);
+        config,
+        arm);
   }
 
   /** A server that was greeted and has said nothing yet. */

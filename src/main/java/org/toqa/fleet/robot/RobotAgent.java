@@ -136,6 +136,18 @@ public final class RobotAgent extends AbstractBehavior<RobotMessage> {
           commands.send(m.hold() ? ServerMessage.Hold::new : ServerMessage.Resume::new);
       case RobotMessage.Clear m -> clear(m);
       case RobotMessage.Locate m -> commands.send(n -> new ServerMessage.Locate(n, m.pose()));
+      case RobotMessage.Act m ->
+          commands.send(
+              n ->
+                  new ServerMessage.Act(
+                      n,
+                      m.task(),
+                      m.phase().number(),
+                      m.action(),
+                      ServerMessage.Frame.MAP,
+                      m.target(),
+                      m.load()));
+      case RobotMessage.AcknowledgeAct m -> send(new ServerMessage.AckActed(m.act()));
       case RobotMessage.RangesHeard m -> reports.receiveRanges(m);
       case RobotMessage.Negotiate m ->
           bidder.answer(m.message(), robot, hello, lastState, m.replyTo());
@@ -232,6 +244,12 @@ public final class RobotAgent extends AbstractBehavior<RobotMessage> {
         reports.receive(state);
       }
       case AgentMessage.Done done -> phaseEnded(done);
+      case AgentMessage.Acted acted -> {
+        if (reports.takesPhaseEnd()) {
+          reports.flush();
+          floor.tell(new RobotEvent.Acted(robot.name(), acted.end()));
+        }
+      }
       case AgentMessage.Reject reject -> rejected(reject);
       case AgentMessage.Ack(long seq) -> acknowledged(seq);
       case AgentMessage.Hello ignored -> {}

@@ -6,6 +6,7 @@ import org.jspecify.annotations.Nullable;
 import org.toqa.fleet.FleetStore.StoredDrive;
 import org.toqa.fleet.RobotMessageKind;
 import org.toqa.link.message.AgentMessage;
+import org.toqa.link.message.AgentMessage.ActEnd;
 import org.toqa.link.message.AgentMessage.Hello;
 import org.toqa.link.message.AgentMessage.PhaseEnd;
 import org.toqa.wording.Sentence;
@@ -32,6 +33,9 @@ public sealed interface RobotEvent {
   record StateReported(String robot, AgentMessage.State state) implements RobotEvent {}
 
   record PhaseEnded(String robot, PhaseEnd end) implements RobotEvent {}
+
+  /** What the arm was told has ended. */
+  record Acted(String robot, ActEnd end) implements RobotEvent {}
 
   /** The robot is being sent this drive. */
   record DriveBegun(String robot, StoredDrive drive) implements RobotEvent {}

@@ -10,6 +10,7 @@ import org.jspecify.annotations.Nullable;
 import org.toqa.allocation.NegotiationMessage;
 import org.toqa.fleet.FleetStore.StoredDrive;
 import org.toqa.fleet.RobotRecord;
+import org.toqa.arm.ArmAction;
 import org.toqa.geometry.Pose;
 import org.toqa.geometry.Vec2;
 import org.toqa.link.message.AgentMessage;
@@ -74,6 +75,18 @@ public sealed interface RobotMessage {
   record Release(int released) implements RobotMessage {}
 
   record Cancel(@Nullable Long task) implements RobotMessage {}
+
+  /**
+   * Do this with the arm.
+   *
+   * @param target where the hand shall come, metres, map frame
+   * @param load kilograms, as was ordered
+   */
+  record Act(long task, Phase phase, ArmAction action, Vec2 target, double load)
+      implements RobotMessage {}
+
+  /** What followed from the end of this act is stored. */
+  record AcknowledgeAct(long act) implements RobotMessage {}
 
   /** Hold, or go on. */
   record Hold(boolean hold) implements RobotMessage {}

@@ -7,6 +7,10 @@ import com.fasterxml.jackson.annotation.JsonTypeInfo;
 import com.fasterxml.jackson.annotation.Nulls;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
+import org.toqa.arm.Arm;
+import org.toqa.arm.ArmAction;
+import org.toqa.arm.ArmStep;
+import org.toqa.arm.JointAngles;
 import org.toqa.geometry.Pose;
 import org.toqa.geometry.Vec2;
 import org.toqa.motion.DriveKind;
@@ -17,6 +21,7 @@ import org.toqa.motion.DriveKind;
   @Type(value = AgentMessage.Hello.class, name = "hello"),
   @Type(value = AgentMessage.State.class, name = "state"),
   @Type(value = AgentMessage.Done.class, name = "done"),
+  @Type(value = AgentMessage.Acted.class, name = "acted"),
   @Type(value = AgentMessage.Ack.class, name = "ack"),
   @Type(value = AgentMessage.Reject.class, name = "reject"),
   @Type(value = AgentMessage.FollowerReport.class, name = "keep"),
@@ -57,6 +62,9 @@ public sealed interface AgentMessage {
    * @param released how many segments of the drive may be driven
    * @param lastSeq the highest sequence number accepted so far
    * @param done the last phase that was driven to its end and is not acknowledged yet
+   * @param arm null: it has none
+   * @param act sequence number of what the arm does now; null: nothing
+   * @param acted how the last act ended that is not acknowledged yet
    */
   record Hello(
       int version,
@@ -77,8 +85,37 @@ public sealed interface AgentMessage {
       int segment,
       int released,
       long lastSeq,
-      @JsonSetter(nulls = Nulls.SET) @Nullable PhaseEnd done)
+      @JsonSetter(nulls = Nulls.SET) @Nullable PhaseEnd done,
+      @JsonSetter(nulls = Nulls.SET) @Nullable Arm arm,
+      @JsonSetter(nulls = Nulls.SET) @Nullable Long act,
+      @JsonSetter(nulls = Nulls.SET) @Nullable ActEnd acted)
       implements AgentMessage {
+
+    /** That of a robot without an arm. */
+    public Hello(
+        int version,
+        String robot,
+        double maxLoad,
+        double maxSpeed,
+        double maxTurnRate,
+        double footprint,
+        double sensorRange,
+        String kind,
+        boolean localised,
+        Pose pose,
+        Mode mode,
+        @Nullable Long task,
+        int phase,
+        Role role,
+        long drive,
+        int segment,
+        int released,
+        long lastSeq,
+        @Nullable PhaseEnd done) {
+      this(
+          version, robot, maxLoad, maxSpeed, maxTurnRate, footprint, sensorRange, kind, localised,
+          pose, mode, task, phase, role, drive, segment, released, lastSeq, done, null, null, null);
+    }
 
     public DriveKind driveKind() {
       return DriveKind.of(kind);
@@ -95,6 +132,41 @@ public sealed interface AgentMessage {
   record PhaseEnd(@JsonSetter(nulls = Nulls.SET) @Nullable Long task, int phase, long drive) {}
 
   /**
+   * How what an arm was told ended.
+   *
+   * @param act the sequence number of the command
+   * @param failure null: it is done
+   * @param weight kilograms of what it picked up; null: it has weighed nothing
+   */
+  record ActEnd(
+      long act,
+      long task,
+      int phase,
+      ArmAction action,
+      @JsonSetter(nulls = Nulls.SET) @Nullable ActFailure failure,
+      @JsonSetter(nulls = Nulls.SET) @Nullable Double weight) {}
+
+  /**
+   * @param code the name of an {@link org.toqa.arm.ArmFailure}, or what a robot of another make says
+   * @param text a sentence for people
+   */
+  record ActFailure(String code, String text) {}
+
+  /**
+   * An arm as it is.
+   *
+   * @param joints radians
+   * @param load kilograms in its hand; null: nothing
+   * @param act sequence number of what it does; null: nothing
+   * @param step of that; null: none
+   */
+  record ArmState(
+      JointAngles joints,
+      @JsonSetter(nulls = Nulls.SET) @Nullable Double load,
+      @JsonSetter(nulls = Nulls.SET) @Nullable Long act,
+      @JsonSetter(nulls = Nulls.SET) @Nullable ArmStep step) {}
+
+  /**
    * Five times a second and on change.
    *
    * @param stamp the robot's own clock, milliseconds since 1970: information only
@@ -103,6 +175,7 @@ public sealed interface AgentMessage {
    * @param placeError metres off its place beside its leader; null: it does not follow
    * @param measuredLoad kilograms that it bears, as its body measures; null: it has nothing on
    *     board, or no scale
+   * @param arm null: it has none
    */
   record State(
       long stamp,
@@ -121,8 +194,33 @@ public sealed interface AgentMessage {
       List<Vec2> obstacles,
       @JsonSetter(nulls = Nulls.SET) @Nullable Double placeError,
       @JsonSetter(nulls = Nulls.SET) @Nullable Double measuredLoad,
+      @JsonSetter(nulls = Nulls.SET) @Nullable ArmState arm,
       List<Fault> errors)
       implements AgentMessage {
+
+    /** That of a robot without an arm. */
+    public State(
+        long stamp,
+        boolean localised,
+        Pose pose,
+        Speed twist,
+        Mode mode,
+        @Nullable Long task,
+        int phase,
+        Role role,
+        long drive,
+        int segment,
+        int released,
+        double battery,
+        List<Double> ranges,
+        List<Vec2> obstacles,
+        @Nullable Double placeError,
+        @Nullable Double measuredLoad,
+        List<Fault> errors) {
+      this(
+          stamp, localised, pose, twist, mode, task, phase, role, drive, segment, released, battery,
+          ranges, obstacles, placeError, measuredLoad, null, errors);
+    }
 
     /** The same, as if it had seen these obstacles only. */
     public State withObstacles(List<Vec2> seen) {
@@ -143,6 +241,7 @@ public sealed interface AgentMessage {
           seen,
           placeError,
           measuredLoad,
+          arm,
           errors);
     }
   }
@@ -176,6 +275,32 @@ public sealed interface AgentMessage {
    */
   record Done(@JsonSetter(nulls = Nulls.SET) @Nullable Long task, int phase, long drive)
       implements AgentMessage {}
+
+  /**
+   * What the arm was told has ended. Sent again until the server has acknowledged it.
+   *
+   * @param act the sequence number of the command
+   * @param failure null: it is done
+   * @param weight kilograms of what it picked up; null: it has weighed nothing
+   */
+  record Acted(
+      long act,
+      long task,
+      int phase,
+      ArmAction action,
+      @JsonSetter(nulls = Nulls.SET) @Nullable ActFailure failure,
+      @JsonSetter(nulls = Nulls.SET) @Nullable Double weight)
+      implements AgentMessage {
+
+    public static Acted of(ActEnd end) {
+      return new Acted(
+          end.act(), end.task(), end.phase(), end.action(), end.failure(), end.weight());
+    }
+
+    public ActEnd end() {
+      return new ActEnd(act, task, phase, action, failure, weight);
+    }
+  }
 
   /**
    * The command was accepted.

@@ -229,10 +229,14 @@ public final class LinkCodec {
         addIfMissing(message, "maxTurnRate", MAX_TURN_RATE_NOT_SENT);
         addIfMissing(message, "sensorRange", SENSOR_RANGE_NOT_SENT);
         addKindIfMissing(message);
+        addNullIfMissing(message, "arm");
+        addNullIfMissing(message, "act");
+        addNullIfMissing(message, "acted");
       }
       case "state" -> {
         addNullIfMissing(message, "placeError");
         addNullIfMissing(message, "measuredLoad");
+        addNullIfMissing(message, "arm");
         message.path("errors").valueStream().forEach(error -> addIfMissing(error, "clearable"));
       }
       default -> {}

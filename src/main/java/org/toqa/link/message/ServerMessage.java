@@ -8,6 +8,7 @@ import com.fasterxml.jackson.annotation.JsonTypeInfo;
 import com.fasterxml.jackson.annotation.Nulls;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
+import org.toqa.arm.ArmAction;
 import org.toqa.geometry.Pose;
 import org.toqa.geometry.Vec2;
 import org.toqa.motion.Segment;
@@ -25,6 +26,8 @@ import org.toqa.motion.Segment;
   @Type(value = ServerMessage.Release.class, name = "release"),
   @Type(value = ServerMessage.Lead.class, name = "lead"),
   @Type(value = ServerMessage.Follow.class, name = "follow"),
+  @Type(value = ServerMessage.Act.class, name = "act"),
+  @Type(value = ServerMessage.AckActed.class, name = "ack_acted"),
   @Type(value = ServerMessage.Hold.class, name = "hold"),
   @Type(value = ServerMessage.Resume.class, name = "resume"),
   @Type(value = ServerMessage.Clear.class, name = "clear"),
@@ -145,6 +148,24 @@ public sealed interface ServerMessage {
       @JsonSetter(nulls = Nulls.SET) @Nullable CarriedPart carries)
       implements Command {}
 
+  /**
+   * Do this with the arm. Legal only for a robot that is stopped and has ended the phase's drive.
+   *
+   * @param phase 1 to 3
+   * @param target where the hand shall come, metres, in that frame
+   * @param load kilograms that the load has, as was ordered
+   */
+  record Act(
+      long seq, long task, int phase, ArmAction action, Frame frame, Vec2 target, double load)
+      implements Command {}
+
+  /** What coordinates count from. */
+  enum Frame {
+    MAP,
+    /** From the robot's centre: x forward, y left. */
+    ROBOT
+  }
+
   /** Stop within the limits, and stay stopped until {@link Resume}. */
   record Hold(long seq) implements Command {}
 
@@ -187,6 +208,13 @@ public sealed interface ServerMessage {
    * @param done the sequence number of the drive
    */
   record AckDone(long done) implements ServerMessage {}
+
+  /**
+   * The server has stored how the act ended.
+   *
+   * @param acted the sequence number of the act
+   */
+  record AckActed(long acted) implements ServerMessage {}
 
   /** A message of a leading robot; each is answered with {@link AgentMessage.FollowerReport}. */
   sealed interface LeaderMessage extends ServerMessage {

@@ -1,6 +1,7 @@
 package org.toqa.agent.chassis;
 
 import java.time.Duration;
+import java.util.Optional;
 import java.util.Set;
 import org.jspecify.annotations.Nullable;
 import org.toqa.agent.chassis.ChassisCommand.MoveAt;
@@ -57,6 +58,11 @@ public interface Chassis extends AutoCloseable {
    * @param load null: none
    */
   default void setSharedLoad(@Nullable SharedLoad load) {}
+
+  /** Its arm; empty where it has none. It is closed with the body. */
+  default Optional<ArmDrive> arm() {
+    return Optional.empty();
+  }
 
   /**
    * A person says that these stops are over; those whose cause has gone are cleared. From the

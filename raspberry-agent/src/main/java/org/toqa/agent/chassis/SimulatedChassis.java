@@ -3,6 +3,7 @@ package org.toqa.agent.chassis;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.SplittableRandom;
 import org.jspecify.annotations.Nullable;
@@ -65,6 +66,7 @@ public final class SimulatedChassis implements Chassis {
   private long lastNanos;
   private long commandNanos;
   private int framesToLose;
+  private @Nullable SimulatedArm arm;
 
   /** Null while it drives by a velocity. */
   private @Nullable SegmentQueue queue;
@@ -169,6 +171,16 @@ public final class SimulatedChassis implements Chassis {
     odometry = odometryOf(state);
     stopWheels();
     this.file.write(state);
+  }
+
+  /** Mounts an arm on it. */
+  public void mount(SimulatedArm mounted) {
+    arm = mounted;
+  }
+
+  @Override
+  public Optional<ArmDrive> arm() {
+    return Optional.ofNullable(arm);
   }
 
   @Override
@@ -312,6 +324,9 @@ public final class SimulatedChassis implements Chassis {
 
   @Override
   public void close() {
+    if (arm != null) {
+      arm.close();
+    }
     file.close();
   }
 

@@ -11,6 +11,7 @@ import java.util.Arrays;
 import java.util.Map;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
+import org.jspecify.annotations.Nullable;
 import org.toqa.agent.drive.MotionLimits;
 import org.toqa.formation.FollowerLaw;
 import org.toqa.formation.FollowerLawType;
@@ -33,6 +34,7 @@ import org.toqa.yaml.YamlSyntaxException;
  * @param maxLoad kilograms
  * @param footprint diameter in metres
  * @param kind how it can move
+ * @param arm null: it has none
  */
 public record AgentConfig(
     String name,
@@ -45,7 +47,8 @@ public record AgentConfig(
     DriveKind kind,
     MotionLimits limits,
     Following following,
-    ChassisConfig chassis) {
+    ChassisConfig chassis,
+    @Nullable ArmConfig arm) {
 
   private static final String[] KEYS = {
     "name",
@@ -61,7 +64,8 @@ public record AgentConfig(
     "acceleration",
     "turnAcceleration",
     "following",
-    "chassis"
+    "chassis",
+    "arm"
   };
 
   private static final Pattern NAME = Pattern.compile("[A-Za-z0-9][A-Za-z0-9._-]{0,63}");
@@ -79,6 +83,31 @@ public record AgentConfig(
     public static Following of(DriveKind kind) {
       return new Following(FollowerLawType.of(kind).withGains(Gains.DEFAULT), DEFAULT.linkDelay());
     }
+  }
+
+  /** That of a robot without an arm. */
+  public AgentConfig(
+      String name,
+      InetAddress address,
+      int port,
+      boolean plainOffLoopback,
+      Path dataDir,
+      double maxLoad,
+      double footprint,
+      DriveKind kind,
+      MotionLimits limits,
+      Following following,
+      ChassisConfig chassis) {
+    this(
+        name, address, port, plainOffLoopback, dataDir, maxLoad, footprint, kind, limits, following,
+        chassis, null);
+  }
+
+  /** The same with that arm. */
+  public AgentConfig withArm(ArmConfig mounted) {
+    return new AgentConfig(
+        name, address, port, plainOffLoopback, dataDir, maxLoad, footprint, kind, limits, following,
+        chassis, mounted);
   }
 
   /**
@@ -102,10 +131,16 @@ public record AgentConfig(
             limits(top),
             following(
                 kind, top.section("following", "law", "placeGain", "headingGain", "linkDelay")),
-            ChassisConfig.read(file, top));
+            ChassisConfig.read(file, top),
+            ArmConfig.read(top));
     if (!kind.canGoSideways() && !config.chassis.canBeOnTwoWheels()) {
       throw top.invalid(
           "kind", kind.word(), "omni: this project's microcontroller turns three omni wheels");
+    }
+    if (config.arm != null && !(config.chassis instanceof ChassisConfig.Simulated)) {
+      throw new ConfigException(
+          "%s: \"arm\" needs a chassis of the type simulated; remove it, or the robot's arm would be promised and not move."
+              .formatted(file));
     }
     // the body is asked last, so that mistakes are told in the order of the keys
     top.number("maxSpeed", config.limits.speed(), 0.01, config.chassis.mostSpeed());

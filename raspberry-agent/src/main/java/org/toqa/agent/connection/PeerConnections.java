@@ -23,6 +23,7 @@ import org.toqa.link.message.AgentMessage.Reject;
 import org.toqa.link.message.DecodeResult.Decoded;
 import org.toqa.link.message.DecodeResult.Invalid;
 import org.toqa.link.message.ServerMessage;
+import org.toqa.link.message.ServerMessage.AckActed;
 import org.toqa.link.message.ServerMessage.AckDone;
 import org.toqa.link.message.ServerMessage.Command;
 import org.toqa.link.message.ServerMessage.LeaderMessage;
@@ -89,6 +90,13 @@ public final class PeerConnections implements AutoCloseable {
      * @param drive its sequence number
      */
     void doneAcknowledged(long drive);
+
+    /**
+     * The server has stored the end of an act.
+     *
+     * @param act its sequence number
+     */
+    void actedAcknowledged(long act);
 
     /** A connection has turned out to be a leader's. */
     void leaderConnected();
@@ -220,6 +228,7 @@ public final class PeerConnections implements AutoCloseable {
     serverHeardNanos = nanos;
     switch (message) {
       case AckDone(long drive) -> handler.doneAcknowledged(drive);
+      case AckActed(long act) -> handler.actedAcknowledged(act);
       case Command command -> handler.commandReceived(command);
       case LeaderMessage _ -> {} // goes to handleLeader
     }

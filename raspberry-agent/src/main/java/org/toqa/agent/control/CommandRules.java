@@ -4,9 +4,12 @@ import java.util.Objects;
 import java.util.Optional;
 import java.util.Set;
 import java.util.stream.Collectors;
+import org.jspecify.annotations.Nullable;
 import org.toqa.agent.config.AgentConfig;
 import org.toqa.agent.drive.DriveRules;
 import org.toqa.agent.formation.FormationRules;
+import org.toqa.agent.storage.JournalEntry;
+import org.toqa.link.message.ServerMessage.Act;
 import org.toqa.link.message.ServerMessage.Clear;
 import org.toqa.link.message.ServerMessage.Drive;
 import org.toqa.link.message.ServerMessage.Extend;
@@ -20,6 +23,9 @@ import org.toqa.link.message.ServerMessage.Release;
  * the server, or with nothing.
  */
 final class CommandRules {
+
+  /** Metres from the map's origin. */
+  private static final double FARTHEST = 150_000;
 
   private final DriveRules driveRules;
   private final FormationRules formationRules;
@@ -61,10 +67,42 @@ final class CommandRules {
                             .formatted(drive, own)));
   }
 
-  Optional<String> objectionTo(Drive drive, Activity activity) {
+  Optional<String> objectionTo(Drive drive, Activity activity, @Nullable ArmWork arm) {
     return objectionToDriving(activity)
+        .or(() -> objectionOfArm(arm))
         .or(() -> objectionAsLeader(drive, activity))
         .or(() -> driveRules.objectionTo(drive, record.pose()));
+  }
+
+  /** An arm does one thing, for the task that the robot works for, if it does. */
+  Optional<String> objectionTo(Act act, Activity activity, @Nullable ArmWork arm) {
+    if (arm == null) {
+      return Optional.of("The robot has no arm.");
+    }
+    JournalEntry entry = record.entry();
+    Long task = entry.task();
+    if (task != null && task != act.task()) {
+      return Optional.of(
+          "The robot works for task %d, not for task %d.".formatted(task, act.task()));
+    }
+    if (act.phase() < 1 || act.phase() > 3) {
+      return Optional.of("The phase is %d; an act has phase 1 to 3.".formatted(act.phase()));
+    }
+    if (!(act.target().norm() <= FARTHEST) || !(act.load() >= 0)) {
+      return Optional.of(
+          "The target must be within 100 km, and the load must not be less than 0 kg.");
+    }
+    return objectionToDriving(activity).or(() -> objectionOfArm(arm));
+  }
+
+  private static Optional<String> objectionOfArm(@Nullable ArmWork arm) {
+    return arm == null
+        ? Optional.empty()
+        : arm.order()
+            .map(
+                act ->
+                    "The arm has not ended act %d; wait for its end or send cancel."
+                        .formatted(act.seq()));
   }
 
   Optional<String> objectionTo(Extend extend, DriveRun run) {
@@ -75,12 +113,16 @@ final class CommandRules {
     return driveRules.objectionTo(release, run.trajectory());
   }
 
-  Optional<String> objectionTo(Lead lead, Activity activity) {
-    return objectionToDriving(activity).or(() -> formationRules.objectionTo(lead));
+  Optional<String> objectionTo(Lead lead, Activity activity, @Nullable ArmWork arm) {
+    return objectionToDriving(activity)
+        .or(() -> objectionOfArm(arm))
+        .or(() -> formationRules.objectionTo(lead));
   }
 
-  Optional<String> objectionTo(Follow follow, Activity activity) {
-    return objectionToDriving(activity).or(() -> formationRules.objectionTo(follow));
+  Optional<String> objectionTo(Follow follow, Activity activity, @Nullable ArmWork arm) {
+    return objectionToDriving(activity)
+        .or(() -> objectionOfArm(arm))
+        .or(() -> formationRules.objectionTo(follow));
   }
 
   Optional<String> objectionTo(Locate locate, Activity activity) {

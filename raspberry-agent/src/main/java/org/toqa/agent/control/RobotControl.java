@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import java.util.Set;
 import java.util.function.Consumer;
 import java.util.function.Function;
@@ -12,21 +13,27 @@ import org.slf4j.LoggerFactory;
 import org.toqa.agent.chassis.ChassisCommand;
 import org.toqa.agent.chassis.ChassisReading;
 import org.toqa.agent.chassis.SharedLoad;
+import org.jspecify.annotations.Nullable;
 import org.toqa.agent.config.AgentConfig;
+import org.toqa.agent.config.ArmConfig;
 import org.toqa.agent.drive.ObstacleAvoider;
 import org.toqa.agent.formation.FollowerLink;
 import org.toqa.agent.formation.FormationFollower;
 import org.toqa.agent.formation.FormationLeader;
 import org.toqa.agent.storage.Journal;
+import org.toqa.arm.ArmCommand;
+import org.toqa.arm.ArmReading;
 import org.toqa.geometry.Pose;
 import org.toqa.geometry.Twist;
 import org.toqa.link.message.AgentMessage;
 import org.toqa.link.message.AgentMessage.Ack;
+import org.toqa.link.message.AgentMessage.ActEnd;
 import org.toqa.link.message.AgentMessage.Fault;
 import org.toqa.link.message.AgentMessage.FollowerReport;
 import org.toqa.link.message.AgentMessage.Mode;
 import org.toqa.link.message.AgentMessage.PhaseEnd;
 import org.toqa.link.message.AgentMessage.Reject;
+import org.toqa.link.message.ServerMessage.Act;
 import org.toqa.link.message.ServerMessage.Cancel;
 import org.toqa.link.message.ServerMessage.Clear;
 import org.toqa.link.message.ServerMessage.Command;
@@ -66,6 +73,9 @@ import org.toqa.link.message.ServerMessage.Resume;
  *       follower's phase ends by its leader's message. A follower keeps its place while the server
  *       is silent, since its leader stops when nothing more is released.
  *   <li>A robot that accepts {@code follow} leads no more.
+ *   <li>An arm acts where a drive has ended. A hold stops it on its way, {@code cancel} ends what
+ *       it does; after a restart, or a stop of the body's own, it stands until it is told the same
+ *       anew. With its arm out the robot does not drive: it folds it first.
  *   <li>A phase 3 whose end is acknowledged ends the task for this robot.
  * </ul>
  *
@@ -80,6 +90,7 @@ public final class RobotControl {
   private final CommandRules rules;
   private final Consumer<Set<String>> stopClearer;
   private ObstacleAvoider avoider;
+  private final @Nullable ArmWork arm;
   private Activity activity = Alone.IDLE;
   private boolean isServerSilent;
   private double now;
@@ -88,6 +99,7 @@ public final class RobotControl {
   /**
    * @param encrypted whether the link is
    * @param stopClearer is told which of the body's stops a person has cleared
+   * @param armReading of its arm; null: it has none
    * @throws IOException if the journal cannot be written: such a robot is not started
    */
   public RobotControl(
@@ -95,12 +107,16 @@ public final class RobotControl {
       Journal journal,
       ChassisReading body,
       boolean encrypted,
-      Consumer<Set<String>> stopClearer)
+      Consumer<Set<String>> stopClearer,
+      @Nullable ArmReading armReading)
       throws IOException {
     this.config = config;
     this.stopClearer = stopClearer;
     this.record = new RobotRecord(config.name(), journal, body);
     this.rules = new CommandRules(config, encrypted, record);
+    ArmConfig mounted = config.arm();
+    this.arm =
+        mounted == null || armReading == null ? null : new ArmWork(mounted.arm(), armReading);
     this.avoider = new ObstacleAvoider(config.footprint() / 2, config.kind());
   }
 
@@ -113,6 +129,9 @@ public final class RobotControl {
     now = seconds;
     if (record.update(reading)) {
       activity = Alone.IDLE;
+      if (arm != null) {
+        arm.cancel();
+      }
     }
     avoider.observe(reading.ranges(), pose(), seconds);
   }
@@ -171,7 +190,7 @@ public final class RobotControl {
 
   private CommandCheck check(Command command) {
     return switch (command) {
-      case Drive drive -> CommandCheck.of(rules.objectionTo(drive, activity), () -> begin(drive));
+      case Drive drive -> CommandCheck.of(rules.objectionTo(drive, activity, arm), () -> begin(drive));
       case Extend extend ->
           checkChange(
               extend.drive(),
@@ -187,9 +206,16 @@ public final class RobotControl {
           CommandCheck.of(
               rules.objectionTo(locate, activity),
               () -> log.info("{}: told to be at {}.", config.name(), pose()));
-      case Lead lead -> CommandCheck.of(rules.objectionTo(lead, activity), () -> begin(lead));
+      case Lead lead -> CommandCheck.of(rules.objectionTo(lead, activity, arm), () -> begin(lead));
       case Follow follow ->
-          CommandCheck.of(rules.objectionTo(follow, activity), () -> begin(follow));
+          CommandCheck.of(rules.objectionTo(follow, activity, arm), () -> begin(follow));
+      case Act act -> {
+        Act last = record.entry().act();
+        boolean isRepeated =
+            last != null && last.task() == act.task() && last.action() == act.action();
+        yield CommandCheck.of(
+            rules.objectionTo(act, activity, arm), () -> begin(act, isRepeated));
+      }
       case Cancel cancel -> new CommandCheck.Accepted(() -> cancel(cancel));
       case Clear clear ->
           CommandCheck.of(
@@ -220,6 +246,13 @@ public final class RobotControl {
         order.released());
   }
 
+  private void begin(Act order, boolean isRepeated) {
+    if (arm != null) {
+      arm.begin(order, pose(), isRepeated);
+      log.info("{}: act {}, {}.", record.logName(), order.seq(), order.action());
+    }
+  }
+
   private void begin(Lead order) {
     activity = new Leading(new FormationLeader(order, config.limits()), Optional.empty());
     log.info(
@@ -235,6 +268,9 @@ public final class RobotControl {
   }
 
   private void cancel(Cancel order) {
+    if (arm != null && arm.order().isPresent() && record.entry().act() == null) {
+      arm.cancel();
+    }
     activity = activity.cancel(order.task());
     if (record.entry().drive() == 0) {
       activity.drive().ifPresent(DriveRun::cancel);
@@ -259,7 +295,7 @@ public final class RobotControl {
    */
   public ChassisCommand drive(double seconds, boolean serverSilent) {
     isServerSilent = serverSilent;
-    boolean canMove = !record.entry().held() && !hasBodyFault();
+    boolean canMove = canMove() && isArmFolded();
     ChassisCommand command =
         activity.steer(new Activity.Tick(record.reading(), pose(), seconds, now, canMove));
     Optional<DriveRun> drive = activity.drive();
@@ -268,6 +304,73 @@ public final class RobotControl {
     return hasEnded || hasBodyFault()
         ? ChassisCommand.MoveAt.STANDSTILL
         : command.within(config.limits());
+  }
+
+  private boolean canMove() {
+    return !record.entry().held() && !hasBodyFault();
+  }
+
+  /** No robot drives with its arm out; one that shall drive folds it first. */
+  private boolean isArmFolded() {
+    if (arm == null || arm.isFolded()) {
+      return true;
+    }
+    if (activity.drive().isPresent()) {
+      arm.fold();
+    }
+    return false;
+  }
+
+  /**
+   * Moves the arm on, and records how what it did ended.
+   *
+   * @param seconds since the last call
+   * @param reading of the arm
+   * @return what to command the arm
+   */
+  public ArmCommand moveArm(double seconds, ArmReading reading) {
+    if (arm == null) {
+      throw new IllegalStateException("it has no arm");
+    }
+    ArmCommand command = arm.advance(seconds, reading, canMove());
+    ArmWork moved = arm;
+    arm.end()
+        .filter(record::saveActEnd)
+        .ifPresent(
+            end -> {
+              log.info(
+                  "{}: act {} has ended{}.",
+                  record.logName(),
+                  end.act(),
+                  end.failure() == null ? "" : ": " + end.failure().code());
+              moved.endAct();
+            });
+    return command;
+  }
+
+  /** How the last act ended, until the server has stored that. */
+  public Optional<ActEnd> acted() {
+    return Optional.ofNullable(record.entry().acted());
+  }
+
+  /**
+   * Kilograms that the load of what the arm does has, as was ordered.
+   *
+   * @return empty: it does nothing
+   */
+  public OptionalDouble orderedLoad() {
+    return arm == null || arm.order().isEmpty()
+        ? OptionalDouble.empty()
+        : OptionalDouble.of(arm.order().get().load());
+  }
+
+  /**
+   * Records that the server has stored the end of an act.
+   *
+   * @param act its sequence number
+   */
+  public void acknowledgeActed(long act) {
+    record.acknowledgeActed(act);
   }
 
   private boolean hasBodyFault() {
@@ -376,7 +479,9 @@ public final class RobotControl {
 
   /** Whether its body is stopped, and nothing but a message from outside would move it. */
   public boolean isAtRest() {
-    return record.reading().isStanding() && (mode() == Mode.IDLE || mode() == Mode.HOLDING);
+    return (arm == null || arm.isAtRest())
+        && record.reading().isStanding()
+        && (mode() == Mode.IDLE || mode() == Mode.HOLDING);
   }
 
   private List<Fault> faults() {
@@ -401,6 +506,7 @@ public final class RobotControl {
         activity.drive().map(DriveRun::reportedRelease).orElse(0),
         avoider.obstacles(),
         activity instanceof Following following ? following.follower().error() : null,
+        arm == null ? null : arm.state(),
         faults());
   }
 }

@@ -11,8 +11,10 @@ import org.toqa.agent.chassis.ChassisReading;
 import org.toqa.agent.storage.Journal;
 import org.toqa.agent.storage.JournalEntry;
 import org.toqa.geometry.Pose;
+import org.toqa.link.message.AgentMessage.ActEnd;
 import org.toqa.link.message.AgentMessage.Fault;
 import org.toqa.link.message.AgentMessage.PhaseEnd;
+import org.toqa.link.message.ServerMessage.Act;
 import org.toqa.link.message.ServerMessage.Cancel;
 import org.toqa.link.message.ServerMessage.Clear;
 import org.toqa.link.message.ServerMessage.Command;
@@ -69,6 +71,14 @@ final class RobotRecord {
               "RESTARTED",
               "The daemon was restarted during drive %d, after %d of its segments; it waits for a new drive."
                   .formatted(old.drive(), old.segment()));
+      log.warn("{}: {}", name, restartFault.text());
+    }
+    if (old.act() != null) {
+      restartFault =
+          new Fault(
+              "RESTARTED",
+              "The daemon was restarted while the arm did act %d; it waits for the act to be told anew."
+                  .formatted(old.act().seq()));
       log.warn("{}: {}", name, restartFault.text());
     }
     return old.withoutDrive()
@@ -163,6 +173,7 @@ final class RobotRecord {
     return switch (command) {
       case Drive drive -> entry().withDrive(drive.seq(), drive.task(), drive.phase(), drive.load());
       case Follow follow -> entry().withDrive(follow.seq(), follow.task(), 2, share(follow));
+      case Act act -> entry().withAct(act);
       case Hold _ -> entry().withHold(true);
       case Resume _ -> entry().withHold(false);
       case Cancel cancel ->
@@ -182,7 +193,7 @@ final class RobotRecord {
 
   private boolean endsWaitAfterRestart(Command command) {
     return switch (command) {
-      case Drive _, Follow _ -> true;
+      case Drive _, Follow _, Act _ -> true;
       case Cancel _ -> entry().task() == null;
       default -> false;
     };
@@ -202,6 +213,27 @@ final class RobotRecord {
    */
   boolean savePhaseEnd() {
     return journal.saveDurably(entry().withPhaseEnd());
+  }
+
+  /**
+   * Records how what the arm did ended.
+   *
+   * @return false: the journal could not be written
+   */
+  boolean saveActEnd(ActEnd end) {
+    return journal.saveDurably(entry().withActEnd(end));
+  }
+
+  /**
+   * Records that the server has stored the end of an act.
+   *
+   * @param act its sequence number
+   */
+  void acknowledgeActed(long act) {
+    ActEnd acted = entry().acted();
+    if (acted != null && acted.act() == act) {
+      journal.saveDurably(entry().withoutActed());
+    }
   }
 
   /**

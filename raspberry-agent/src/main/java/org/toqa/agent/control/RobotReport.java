@@ -10,6 +10,7 @@ import org.toqa.avoidance.RangeSensors;
 import org.toqa.geometry.Pose;
 import org.toqa.geometry.Vec2;
 import org.toqa.link.message.AgentMessage;
+import org.toqa.link.message.AgentMessage.ArmState;
 import org.toqa.link.message.AgentMessage.Fault;
 import org.toqa.link.message.AgentMessage.Hello;
 import org.toqa.link.message.AgentMessage.Mode;
@@ -25,6 +26,7 @@ import org.toqa.link.message.AgentMessage.State;
  * @param released how many may be driven
  * @param obstacles points where something blocks its path, map frame
  * @param placeError metres off its place beside its leader; null: it does not follow
+ * @param arm null: it has none
  */
 public record RobotReport(
     AgentConfig config,
@@ -38,6 +40,7 @@ public record RobotReport(
     int released,
     List<Vec2> obstacles,
     @Nullable Double placeError,
+    @Nullable ArmState arm,
     List<Fault> errors) {
 
   public Hello hello() {
@@ -60,7 +63,10 @@ public record RobotReport(
         segment,
         released,
         entry.lastSeq(),
-        entry.done());
+        entry.done(),
+        config.arm() == null ? null : config.arm().arm(),
+        arm == null ? null : arm.act(),
+        entry.acted());
   }
 
   /**
@@ -85,6 +91,7 @@ public record RobotReport(
         obstacles,
         placeError,
         reading.measuredLoad(),
+        arm,
         notes.isEmpty() ? errors : Stream.concat(errors.stream(), notes.stream()).toList());
   }
 }

@@ -1,6 +1,7 @@
 package org.toqa.agent.config;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -136,6 +137,52 @@ class AgentConfigTest {
 
     ConfigException e = assertThrows(ConfigException.class, () -> AgentConfig.read(file));
     assertEquals(file + ": " + line, e.getMessage());
+  }
+
+  @Test
+  void armIsReadInDegreesAndHasTheMeasuresOfTheShippedFileWhereNothingIsSaid()
+      throws ConfigException, IOException {
+    assertNull(AgentConfig.read(file(LEAST)).arm());
+    ArmConfig usual = AgentConfig.read(file(withArm("{}"))).arm();
+    String shipped =
+        Files.readString(Path.of("raspberry-agent", "agent.yaml")).replaceAll("(?m)^# ?(arm:|  )", "$1");
+    ArmConfig explained = AgentConfig.read(file(shipped)).arm();
+    assertEquals(usual, explained);
+    ArmConfig own =
+        AgentConfig.read(
+                file(withArm("{upperLink: 0.4, elbow: {least: 0, most: 90}, boxWeight: 1.5}")))
+            .arm();
+    assertEquals(0.4, own.arm().upperLink());
+    assertEquals(Math.PI / 2, own.arm().elbow().most(), 1e-12);
+    assertEquals(0, own.arm().rest().elbow(), "the nearest to the usual one");
+    assertEquals(1.5, own.boxWeight());
+  }
+
+  @ParameterizedTest
+  @CsvSource(
+      delimiter = '|',
+      value = {
+        "{upperLink: 0} | \"arm.upperLink\" is 0; it must be a number from 0.02 to 10.",
+        "{shoulder: {least: 100, most: 50}} | \"arm.shoulder.most\" is 50; it must be a number from 101 to 360.",
+        "{elbow: {least: -90, most: 90}, rest: {elbow: 91}} | \"arm.rest.elbow\" is 91; it must be a number from -90 to 90.",
+        "{lenght: 1} | there is no key \"arm.lenght\"; did you mean \"arm.",
+        "5 | \"arm\" is 5; it must be keys of its own, indented below it.",
+      })
+  void armThatCannotBeIsRefused(String arm, String sentence) throws IOException {
+    Path file = file(withArm(arm));
+    ConfigException e = assertThrows(ConfigException.class, () -> AgentConfig.read(file));
+    assertTrue(String.valueOf(e.getMessage()).startsWith(file + ": " + sentence), e.getMessage());
+  }
+
+  @Test
+  void armNeedsABodyThatMovesIt() throws IOException {
+    Path file = file(withArm("{}").replace("type: simulated", "type: spi"));
+    ConfigException e = assertThrows(ConfigException.class, () -> AgentConfig.read(file));
+    assertTrue(String.valueOf(e.getMessage()).contains("\"arm\" needs a chassis"), e.getMessage());
+  }
+
+  private static String withArm(String arm) {
+    return LEAST.replace("}}", "}, arm: " + arm + "}");
   }
 
   @Test
