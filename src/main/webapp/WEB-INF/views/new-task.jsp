@@ -56,20 +56,34 @@
       <c:if test="${not edits}">
         <c:set var="chosenStops" value=""/>
         <c:forEach items="${paramValues.stopStation}" var="given"><c:set var="chosenStops" value="${chosenStops}${given}"/></c:forEach>
+        <c:set var="chosenStops" value="${chosenStops}${param.startWait}${param.goalWait}"/>
         <details class="stops" ${not empty chosenStops or not empty errors.stop ? 'open' : ''}>
           <summary><fmt:message key="newTask.stops"/></summary>
           <p class="faint" id="stop-help"><c:choose><c:when test="${not empty errors.stop}"><bdi class="wrong"><c:out value="${errors.stop}"/></bdi></c:when><c:otherwise><fmt:message key="newTask.stops.hint"/></c:otherwise></c:choose></p>
+          <div class="grid">
+            <c:forTokens items="start,goal" delims="," var="end">
+              <c:set var="waitField" value="${end}Wait"/>
+              <fmt:message key="newTask.${end}" var="endLabel"/>
+              <div><label><fmt:message key="newTask.wait.at"><fmt:param value="${endLabel}"/></fmt:message><fmt:message key="newTask.wait.at" var="label"><fmt:param value="${endLabel}"/></fmt:message><t:wait-choice name="${waitField}" label="${label}" chosen="${param[waitField]}"/></label></div>
+            </c:forTokens>
+          </div>
           <c:forEach begin="0" end="3" var="at">
             <fmt:message key="newTask.stop" var="label"><fmt:param value="${at + 3}"/></fmt:message>
             <select name="stopStation" aria-label="${label}" aria-describedby="stop-help" ${not empty errors.stop ? 'aria-invalid="true"' : ''}>
               <option value="">${label}: <fmt:message key="newTask.station.none"/></option>
               <c:forEach items="${floor.stations()}" var="station"><option value="${fn:escapeXml(station.name)}" dir="auto" ${station.name == paramValues.stopStation[at] ? 'selected' : ''}><c:out value="${station.name}"/></option></c:forEach>
             </select>
+            <fmt:message key="newTask.wait.at" var="waitLabel"><fmt:param value="${label}"/></fmt:message>
+            <t:wait-choice name="stopWait" label="${waitLabel}" chosen="${paramValues.stopWait[at]}"/>
           </c:forEach>
+          <label for="carriedBy"><fmt:message key="newTask.carriedBy"/></label>
+          <select id="carriedBy" name="carriedBy">
+            <c:forTokens items="legs,one" delims="," var="choice"><option value="${choice}" ${choice == param.carriedBy ? 'selected' : ''}><fmt:message key="newTask.carriedBy.${choice}"/></option></c:forTokens>
+          </select>
         </details>
       </c:if>
       <c:if test="${not empty robots or not empty paramValues.onlyRobots}">
-        <details class="stops" ${not empty paramValues.onlyRobots or not empty errors.onlyRobots ? 'open' : ''}>
+        <details class="only-robots" ${not empty paramValues.onlyRobots or not empty errors.onlyRobots ? 'open' : ''}>
           <summary><fmt:message key="newTask.onlyRobots"/></summary>
           <fieldset class="choice only" aria-describedby="onlyRobots-help" ${empty errors.onlyRobots ? '' : 'aria-invalid="true"'}>
             <legend class="faint"><fmt:message key="newTask.onlyRobots.legend"/></legend>

@@ -19,6 +19,13 @@
       <t:state of="task" state="${task.state}"/>
     </div>
     <c:if test="${not empty task.waitingFor}"><p class="notice"><t:said sentence="${task.waitingFor}"/></p></c:if>
+    <c:if test="${mayGoOn and task.isWaitingAtStop() and not task.held}">
+      <form class="choices" method="post" action="${root}/tasks/${task.task.id}/go-on">
+        <t:csrf/>
+        <input type="hidden" name="stop" value="${task.progress.stop() + 1}">
+        <button><fmt:message key="task.goOn"/></button>
+      </form>
+    </c:if>
     <c:if test="${not empty task.late}"><p class="notice bad"><strong><fmt:message key="task.late"/></strong>${" "}<t:said sentence="${task.late}"/></p></c:if>
     <c:if test="${not empty task.loadAt}"><p class="notice"><strong><fmt:message key="task.loadAt"/></strong>${" "}<t:place place="${task.loadAt}"/></p></c:if>
     <c:if test="${task.held}"><p class="notice"><fmt:message key="task.held"/></p></c:if>
@@ -43,8 +50,22 @@
             <fmt:formatNumber value="${task.task.size.width}" maxFractionDigits="2" var="width"/>
             <dt><fmt:message key="loads.column.size"/></dt><dd><fmt:message key="loads.size"><fmt:param value="${length}"/><fmt:param value="${width}"/></fmt:message></dd>
           </c:if>
-          <dt><fmt:message key="task.start"/></dt><dd><t:place place="${task.task.start}"/></dd>
-          <dt><fmt:message key="task.goal"/></dt><dd><t:place place="${task.task.goal}"/></dd>
+          <c:choose>
+            <c:when test="${empty task.task.stops}">
+              <dt><fmt:message key="task.start"/></dt><dd><t:place place="${task.task.start}"/></dd>
+              <dt><fmt:message key="task.goal"/></dt><dd><t:place place="${task.task.goal}"/></dd>
+            </c:when>
+            <c:otherwise>
+              <dt><fmt:message key="task.stops"/></dt>
+              <dd>
+                <ol class="stops">
+                  <c:forEach items="${task.stops()}" var="each">
+                    <li data-state="${each.state()}" ${each.state() == 'HERE' or each.state() == 'NEXT' ? 'aria-current="step"' : ''}><t:place place="${each.stop().place()}"/>${" "}<t:stop-wait stop="${each.stop()}"/>${" "}<strong><fmt:message key="task.stop.${each.state()}"/></strong><c:if test="${not empty each.since()}">${" "}<span class="faint"><t:time at="${each.since()}"/></span></c:if></li>
+                  </c:forEach>
+                </ol>
+              </dd>
+            </c:otherwise>
+          </c:choose>
           <dt><fmt:message key="task.floor"/></dt><dd><bdi><c:out value="${task.task.floor}"/></bdi></dd>
           <dt><fmt:message key="task.robots"/></dt><dd><t:robots names="${task.robots}"/><c:if test="${task.robots.size() > 1}"><fmt:message key="task.leads" var="leads"><fmt:param value="${task.robots[0]}"/></fmt:message>${" "}<span class="faint"><c:out value="${leads}"/></span></c:if></dd>
           <c:if test="${not empty task.task.onlyRobots}"><dt><fmt:message key="task.onlyRobots"/></dt><dd><t:robots names="${task.task.onlyRobots}"/></dd></c:if>
@@ -91,8 +112,8 @@
             </c:choose>
           </c:forTokens>
         </c:url>
-        · <a href="<c:out value="${again}"/>"><fmt:message key="task.duplicate"/></a>
-        <c:if test="${mayChange and task.state == 'QUEUED' and empty task.loadAt}">· <a href="${root}/tasks/${task.task.id}/edit"><fmt:message key="task.edit"/></a></c:if>
+        <c:if test="${empty task.task.stops}">· <a href="<c:out value="${again}"/>"><fmt:message key="task.duplicate"/></a></c:if>
+        <c:if test="${mayChange and task.state == 'QUEUED' and empty task.loadAt and empty task.task.stops}">· <a href="${root}/tasks/${task.task.id}/edit"><fmt:message key="task.edit"/></a></c:if>
       </article>
       <article>
         <h2><fmt:message key="task.history"/></h2>

@@ -17,6 +17,8 @@ import org.toqa.geometry.Vec2;
  *     Instant)}
  * @param isForOmnidirectional whether a group with robots that cannot go sideways has no room
  * @param onlyRobots names of those that may carry it; empty: whichever there are
+ * @param via where it goes between start and goal, in order, metres, map frame
+ * @param isForOne whether only one robot may carry it, since it stops on its way
  */
 public record AllocationTask(
     long id,
@@ -25,19 +27,33 @@ public record AllocationTask(
     Vec2 goal,
     Instant waitsFrom,
     boolean isForOmnidirectional,
-    List<String> onlyRobots) {
+    List<String> onlyRobots,
+    List<Vec2> via,
+    boolean isForOne) {
 
   public AllocationTask {
     onlyRobots = List.copyOf(onlyRobots);
+    via = List.copyOf(via);
   }
 
   public AllocationTask(long id, double load, Vec2 start, Vec2 goal, Instant waitsFrom) {
-    this(id, load, start, goal, waitsFrom, false, List.of());
+    this(id, load, start, goal, waitsFrom, false, List.of(), List.of(), false);
   }
 
   /** The same, that only these robots may carry; empty: whichever there are. */
   public AllocationTask withOnlyRobots(List<String> robots) {
-    return new AllocationTask(id, load, start, goal, waitsFrom, isForOmnidirectional, robots);
+    return new AllocationTask(
+        id, load, start, goal, waitsFrom, isForOmnidirectional, robots, via, isForOne);
+  }
+
+  /**
+   * The same on another way.
+   *
+   * @param between start and goal
+   */
+  public AllocationTask withStops(List<Vec2> between, boolean one) {
+    return new AllocationTask(
+        id, load, start, goal, waitsFrom, isForOmnidirectional, onlyRobots, between, one);
   }
 
   /** Whether the robot may carry it, alone or with others. */
@@ -83,12 +99,14 @@ public record AllocationTask(
         goal,
         waitsFrom,
         isForOmnidirectional,
-        onlyRobots);
+        onlyRobots,
+        via,
+        isForOne);
   }
 
   /** The same, that no team with a robot may have that cannot go sideways. */
   public AllocationTask forOmnidirectional() {
-    return new AllocationTask(id, load, start, goal, waitsFrom, true, onlyRobots);
+    return new AllocationTask(id, load, start, goal, waitsFrom, true, onlyRobots, via, isForOne);
   }
 
   /** Whether the robot may be one of several. */

@@ -43,7 +43,18 @@ final class Costs implements Quotes {
 
   @Override
   public boolean hasPathFor(AllocationTask task, Candidate robot) {
-    return Double.isFinite(pathLengths.length(task.start(), task.goal(), robot.diameter()));
+    return Double.isFinite(carriedMetres(task, robot.diameter()));
+  }
+
+  /** From its start along its stops to its goal; infinite where that is no way. */
+  private double carriedMetres(AllocationTask task, double diameter) {
+    double metres = 0;
+    Vec2 from = task.start();
+    for (Vec2 stop : task.via()) {
+      metres += pathLengths.length(from, stop, diameter);
+      from = stop;
+    }
+    return metres + pathLengths.length(from, task.goal(), diameter);
   }
 
   /** How long the paths of a task are, metres, for robots of one diameter. */
@@ -56,7 +67,7 @@ final class Costs implements Quotes {
 
     TaskPaths(AllocationTask task, double diameter) {
       toLoad = pathLengths.lengthsTo(task.start(), diameter);
-      carried = pathLengths.length(task.start(), task.goal(), diameter);
+      carried = carriedMetres(task, diameter);
       toCharger =
           chargers.stream()
               .mapToDouble(c -> pathLengths.lengthsTo(c, diameter).applyAsDouble(task.goal()))

@@ -22,7 +22,9 @@ public final class TeamSize {
    * @param fitting the robots that fit on its path
    */
   static boolean isForSeveral(AllocationTask task, List<Candidate> fitting) {
-    return !fitting.isEmpty() && fitting.stream().noneMatch(r -> r.isStrongEnough(task));
+    return !task.isForOne()
+        && !fitting.isEmpty()
+        && fitting.stream().noneMatch(r -> r.isStrongEnough(task));
   }
 
   /** The robots that may have it, for which the path of the load is wide enough. */

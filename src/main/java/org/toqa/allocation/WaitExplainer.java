@@ -96,11 +96,14 @@ public final class WaitExplainer {
   public boolean isImpossible(AllocationTask task) {
     List<Candidate> allowed = allowed(task);
     return allowed.stream().noneMatch(r -> r.isStrongEnough(task))
-        && TeamSize.smallest(task.load(), allowed).isEmpty();
+        && (task.isForOne() || TeamSize.smallest(task.load(), allowed).isEmpty());
   }
 
   /** Says the true number of robots that the load needs, and how many are there. */
   private static Sentence tooHeavyForOne(AllocationTask task, List<Candidate> robots) {
+    if (task.isForOne()) {
+      return Phrase.TOO_HEAVY_FOR_STOPS.with(task.load());
+    }
     Optional<Integer> needed = TeamSize.smallest(task.load(), robots);
     double together = robots.stream().mapToDouble(Candidate::maxLoad).sum();
     if (needed.isEmpty()) {

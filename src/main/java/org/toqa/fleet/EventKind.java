@@ -7,6 +7,8 @@ import org.toqa.mission.MissionEvent;
 public enum EventKind {
   TASK_ADDED("task.added"),
   TASK_ANSWERED("task.answered"),
+  TASK_AT_STOP("task.at-stop"),
+  TASK_WENT_ON("task.went-on"),
   TASK_ASSIGNED("task.assigned"),
   TASK_AT_OBJECT("task.at-object"),
   TASK_CANCELLED("task.cancelled"),
@@ -131,6 +133,8 @@ public enum EventKind {
       case MissionEvent.Edit ignored -> TASK_EDITED;
       case MissionEvent.Answer ignored -> TASK_ANSWERED;
       case MissionEvent.HandOver ignored -> TASK_HANDED_OVER;
+      case MissionEvent.GoOn ignored -> TASK_WENT_ON;
+      case MissionEvent.WaitEnded ignored -> TASK_WENT_ON;
       case MissionEvent.LoadFetched ignored -> TASK_LOAD_FETCHED;
       case MissionEvent.MoveLoad ignored -> TASK_LOAD_MOVED;
       case MissionEvent.RemoveLoad ignored -> TASK_LOAD_REMOVED;

@@ -5,6 +5,7 @@ import java.util.List;
 import org.jspecify.annotations.Nullable;
 import org.toqa.mission.Mission;
 import org.toqa.mission.MissionEvent;
+import org.toqa.mission.Phase;
 import org.toqa.mission.TransportTask;
 import org.toqa.wording.Phrase;
 import org.toqa.wording.Sentence;
@@ -86,7 +87,12 @@ public record EventRecord(
     String who = event instanceof MissionEvent.OperatorCommand command ? command.user() : SYSTEM;
     long task = step.mission().id();
     String floor = step.mission().task().floor();
-    EventKind kind = EventKind.of(event);
+    boolean isOnTheWay =
+        event instanceof MissionEvent.PhaseEnded e
+            && e.phase() == Phase.TO_GOAL
+            && !step.mission().task().stops().isEmpty()
+            && !step.mission().state().isDelivered();
+    EventKind kind = isOnTheWay ? EventKind.TASK_AT_STOP : EventKind.of(event);
     return step.history().stream()
         .map(said -> new EventRecord(at, kind, task, robot, who, said).onFloor(floor))
         .toList();

@@ -57,7 +57,8 @@ public record PartsToRetry(List<TaskOrder> orders, List<OrderPart> parts) {
         task.priority(),
         task.deadline(),
         task.size(),
-        task.onlyRobots());
+        task.onlyRobots(),
+        List.of());
   }
 
   private static Where where(TaskPlace place) {

@@ -1,11 +1,14 @@
 package org.toqa.fleet;
 
+import java.time.Duration;
 import java.time.Instant;
 import java.time.temporal.ChronoUnit;
 import java.util.List;
 import java.util.Objects;
+import java.util.stream.IntStream;
 import org.jspecify.annotations.Nullable;
 import org.toqa.geometry.Vec2;
+import org.toqa.mission.Stop;
 import org.toqa.mission.TaskPlace;
 import org.toqa.mission.TransportTask;
 import org.toqa.mission.TransportTask.LoadSize;
@@ -17,6 +20,8 @@ import org.toqa.mission.TransportTask.LoadSize;
  * @param load kilograms
  * @param floor null: the one of {@link FloorChoice}
  * @param onlyRobots names of those that may carry it; empty: whichever there are
+ * @param stops all of its way, the start first and the goal last; empty: from start to goal, and
+ *     nobody waits
  */
 public record TaskOrder(
     String name,
@@ -27,13 +32,36 @@ public record TaskOrder(
     int priority,
     @Nullable Instant deadline,
     @Nullable LoadSize size,
-    List<String> onlyRobots) {
+    List<String> onlyRobots,
+    List<StopOrder> stops) {
+
+  /** A place on its way, and what robots wait for there: as {@link Stop}. */
+  public record StopOrder(Where where, boolean awaitsPerson, @Nullable Duration waitTime) {
+
+    public boolean hasWait() {
+      return awaitsPerson || waitTime != null;
+    }
+
+    private Stop at(TaskPlace place) {
+      return new Stop(place, awaitsPerson, waitTime);
+    }
+
+    private boolean isAt(Stop stop) {
+      return where.isAt(stop.place())
+          && awaitsPerson == stop.awaitsPerson()
+          && Objects.equals(waitTime, stop.waitTime());
+    }
+  }
+
+  /** As many stops a task may have, with start and goal. */
+  public static final int MAX_STOPS = 20;
 
   /** As many names a task may have. */
   public static final int MAX_ONLY_ROBOTS = 20;
 
   public TaskOrder {
     onlyRobots = List.copyOf(onlyRobots);
+    stops = List.copyOf(stops);
   }
 
   /** One that any robot may carry. */
@@ -46,25 +74,55 @@ public record TaskOrder(
       int priority,
       @Nullable Instant deadline,
       @Nullable LoadSize size) {
-    this(name, load, start, goal, floor, priority, deadline, size, List.of());
+    this(name, load, start, goal, floor, priority, deadline, size, List.of(), List.of());
   }
 
   /**
    * The task that is ordered; its id is not known yet.
    *
-   * @param from what {@code start} is on that floor
-   * @param to what {@code goal} is there
+   * @param places what those of its way are on that floor
    */
   public TransportTask task(
-      TaskPlace from, TaskPlace to, String resolvedFloor, String user, Instant now) {
+      List<TaskPlace> places, String resolvedFloor, String user, Instant now) {
+    TaskPlace from = places.getFirst();
+    TaskPlace to = places.getLast();
     return new TransportTask(
             0, name, load, from, to, resolvedFloor, priority, deadline, size, user, now)
-        .withOnlyRobots(onlyRobots);
+        .withOnlyRobots(onlyRobots)
+        .withStops(
+            IntStream.range(0, stops.size())
+                .mapToObj(i -> stops.get(i).at(places.get(i)))
+                .toList());
   }
 
   /** The same from there to there. */
   public TaskOrder between(Where from, Where to) {
-    return new TaskOrder(name, load, from, to, floor, priority, deadline, size, onlyRobots);
+    return new TaskOrder(
+        name, load, from, to, floor, priority, deadline, size, onlyRobots, List.of());
+  }
+
+  /**
+   * The same along these stops.
+   *
+   * @param way at least two
+   */
+  public TaskOrder along(List<StopOrder> way) {
+    return new TaskOrder(
+        name,
+        load,
+        way.getFirst().where(),
+        way.getLast().where(),
+        floor,
+        priority,
+        deadline,
+        size,
+        onlyRobots,
+        way);
+  }
+
+  /** All places of its way, the start first and the goal last. */
+  public List<Where> places() {
+    return stops.isEmpty() ? List.of(start, goal) : stops.stream().map(StopOrder::where).toList();
   }
 
   /** A place by its coordinates or by its station's name. */
@@ -90,7 +148,10 @@ public record TaskOrder(
         && (floor == null || floor.equals(task.floor()))
         && Objects.equals(asStored(deadline), asStored(task.deadline()))
         && Objects.equals(size, task.size())
-        && onlyRobots.equals(task.onlyRobots());
+        && onlyRobots.equals(task.onlyRobots())
+        && stops.size() == task.stops().size()
+        && IntStream.range(0, stops.size())
+            .allMatch(i -> stops.get(i).isAt(task.stops().get(i)));
   }
 
   /** As far as the store keeps it. */

@@ -2,10 +2,15 @@ package org.toqa.fleet;
 
 import java.time.Instant;
 import java.util.List;
+import java.util.stream.IntStream;
+import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 import org.toqa.mission.LoadRecord;
 import org.toqa.mission.Mission;
 import org.toqa.mission.Question;
+import org.toqa.mission.Stop;
+import org.toqa.mission.StopProgress;
+import org.toqa.mission.StopState;
 import org.toqa.mission.TaskPlace;
 import org.toqa.mission.TaskState;
 import org.toqa.mission.TransportTask;
@@ -22,6 +27,7 @@ import org.toqa.wording.Sentence;
  * @param needs what a person must decide, else null
  * @param late a sentence while its deadline cannot be met, else null
  * @param load which one it has
+ * @param progress how far it is on its way
  */
 public record TaskView(
     TransportTask task,
@@ -34,7 +40,8 @@ public record TaskView(
     @Nullable Question needs,
     @Nullable Sentence late,
     Instant changedAt,
-    LoadRecord load) {
+    LoadRecord load,
+    StopProgress progress) {
 
   public TaskView {
     robots = List.copyOf(robots);
@@ -55,12 +62,14 @@ public record TaskView(
         mission.question().orElse(null),
         null,
         changedAt,
-        mission.loadRecord());
+        mission.loadRecord(),
+        mission.progress());
   }
 
   public TaskView withLateness(@Nullable Sentence nextLate) {
     return new TaskView(
-        task, state, held, robots, loadAt, waitingFor, blocked, needs, nextLate, changedAt, load);
+        task, state, held, robots, loadAt, waitingFor, blocked, needs, nextLate, changedAt, load,
+        progress);
   }
 
   /**
@@ -68,12 +77,58 @@ public record TaskView(
    */
   public TaskView withWaitReason(Sentence reason) {
     return new TaskView(
-        task, state, held, robots, loadAt, reason, blocked, needs, late, changedAt, load);
+        task, state, held, robots, loadAt, reason, blocked, needs, late, changedAt, load,
+        progress);
   }
 
   public TaskView asBlocked() {
     return new TaskView(
-        task, state, held, robots, loadAt, waitingFor, true, needs, late, changedAt, load);
+        task, state, held, robots, loadAt, waitingFor, true, needs, late, changedAt, load,
+        progress);
+  }
+
+  /**
+   * A stop of its way.
+   *
+   * @param since when its robots came there, where they wait there; else null
+   */
+  public record StopView(Stop stop, StopState state, @Nullable Instant since) {}
+
+  /** All of its way, the start first and the goal last. */
+  public List<StopView> stops() {
+    List<Stop> route = task.route();
+    return IntStream.range(0, route.size())
+        .mapToObj(
+            i -> {
+              StopState of = stateOfStop(i);
+              return new StopView(
+                  route.get(i), of, of == StopState.HERE ? progress.waitingSince() : null);
+            })
+        .toList();
+  }
+
+  private StopState stateOfStop(int stop) {
+    int next = state == TaskState.CARRYING ? Math.max(1, progress.stop()) : progress.stop();
+    if (state.isDelivered() || stop < next) {
+      return StopState.PASSED;
+    }
+    if (stop > next || !state.isAssigned()) {
+      return StopState.AHEAD;
+    }
+    return isWaitingAtStop() ? StopState.HERE : StopState.NEXT;
+  }
+
+  /** Whether its robots wait at a stop. */
+  public boolean isWaitingAtStop() {
+    return progress.waitingSince() != null;
+  }
+
+  /** Where its load still goes, the place first where it is fetched if it is not on board. */
+  public List<TaskPlace> placesAhead() {
+    List<TaskPlace> stops = task.placesFrom(Math.max(1, progress.stop()));
+    return state == TaskState.CARRYING
+        ? stops
+        : Stream.concat(Stream.of(object()), stops.stream()).toList();
   }
 
   /** Where the load is fetched. */

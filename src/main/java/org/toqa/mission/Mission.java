@@ -25,6 +25,7 @@ import org.toqa.wording.Sentence;
  *     goal
  * @param trouble what keeps a robot from going on, if anything
  * @param load null: its own, which is at its start since the task was ordered
+ * @param progress how far it is on its way
  */
 public record Mission(
     TransportTask task,
@@ -34,7 +35,8 @@ public record Mission(
     @Nullable LoadChoice ending,
     @Nullable TaskPlace setDownPlace,
     @Nullable Trouble trouble,
-    @Nullable LoadRecord load) {
+    @Nullable LoadRecord load,
+    StopProgress progress) {
 
   /**
    * @param history sentences for the task's history; empty when the event changed nothing
@@ -63,7 +65,16 @@ public record Mission(
       @Nullable LoadChoice ending,
       @Nullable TaskPlace setDownPlace,
       @Nullable Trouble trouble) {
-    this(task, state, assignedRobots, held, ending, setDownPlace, trouble, null);
+    this(
+        task,
+        state,
+        assignedRobots,
+        held,
+        ending,
+        setDownPlace,
+        trouble,
+        null,
+        StopProgress.START);
   }
 
   /** A task that has no robots yet. */
@@ -126,7 +137,8 @@ public record Mission(
             ending,
             setDownPlace,
             trouble,
-            new LoadRecord(loadId, at));
+            new LoadRecord(loadId, at),
+            progress);
   }
 
   private boolean hasLoadWhereIn(Mission before) {
@@ -148,7 +160,50 @@ public record Mission(
 
   /** Where the load on board is carried. */
   public TaskPlace destination() {
-    return ending == LoadChoice.BACK ? task.start() : task.goal();
+    return ending == LoadChoice.BACK ? task.start() : stopAhead().place();
+  }
+
+  /** The number, from 0, of the stop to which the load is carried, or will be first. */
+  public int stopNumber() {
+    return Math.max(1, progress.stop());
+  }
+
+  private Stop stopAhead() {
+    return task.route().get(stopNumber());
+  }
+
+  /** Whether the load goes no further than where it is carried. */
+  boolean isAtLastStop() {
+    return stopNumber() == task.route().size() - 1;
+  }
+
+  /** The stop at which its robots wait, all of them having come there. */
+  public Optional<Stop> waitingStop() {
+    return progress.waitingSince() == null
+        ? Optional.empty()
+        : Optional.of(task.route().get(progress.stop()));
+  }
+
+  /** Whether they have waited there for as long as was ordered. */
+  public boolean isWaitOver(Instant now) {
+    Instant since = progress.waitingSince();
+    return since != null
+        && !held
+        && trouble == null
+        && waitingStop()
+            .map(Stop::waitTime)
+            .filter(wait -> !since.plus(wait).isAfter(now))
+            .isPresent();
+  }
+
+  /** Whether they wait where the load is fetched first. */
+  boolean isToWaitAtStart() {
+    return progress.stop() == 0 && setDownPlace == null && task.route().getFirst().hasWait();
+  }
+
+  /** Whether they wait at the stop to which they bring the load. */
+  boolean isToWaitAhead() {
+    return stopAhead().hasWait();
   }
 
   /** Whether its robots, with the load on board, shall stop and set it down. */
@@ -190,6 +245,7 @@ public record Mission(
     return switch (event) {
       case MissionEvent.OperatorCommand command ->
           objectionTo(command).isPresent() ? unchangedStep() : applyCommand(command);
+      case MissionEvent.WaitEnded ended -> StopRules.onWaitEnded(this, ended);
       case MissionEvent.LoadFetched fetched ->
           OperatorCommandRules.endLeftLoad(this, Phrase.LOAD_FETCHED.with(fetched.byTask()));
       case MissionEvent.OfRobot e -> isWorkingFor(e.robot()) ? applyRobotEvent(e) : unchangedStep();
@@ -205,6 +261,7 @@ public record Mission(
       case MissionEvent.Edit e -> OperatorCommandRules.edit(this, e);
       case MissionEvent.Answer e -> TroubleRules.answer(this, e);
       case MissionEvent.HandOver e -> OperatorCommandRules.handOver(this, e);
+      case MissionEvent.GoOn e -> StopRules.goOn(this, e);
       case MissionEvent.MoveLoad e -> OperatorCommandRules.moveLeftLoad(this, e);
       case MissionEvent.RemoveLoad e ->
           OperatorCommandRules.endLeftLoad(this, Phrase.LOAD_REMOVED.with(e.user()));
@@ -252,6 +309,7 @@ public record Mission(
         .filter(c -> !c.unassigned())
         .forEach(c -> commands.add(new MissionCommand.Unassign(c.robot())));
     return withAssignedRobots(assignedRobots.stream().map(AssignedRobot::withUnassigned).toList())
+        .withProgress(progress.withoutWait())
         .withState(next)
         .withTrouble(null)
         .step(commands, history);
@@ -274,12 +332,12 @@ public record Mission(
   /** What has ended is not on hold any more and does not end again. */
   Mission withState(TaskState next) {
     return next.isEnded()
-        ? new Mission(task, next, assignedRobots, false, null, setDownPlace, null, load)
-        : new Mission(task, next, assignedRobots, held, ending, setDownPlace, trouble, load);
+        ? new Mission(task, next, assignedRobots, false, null, setDownPlace, null, load, progress)
+        : new Mission(task, next, assignedRobots, held, ending, setDownPlace, trouble, load, progress);
   }
 
   Mission withAssignedRobots(List<AssignedRobot> next) {
-    return new Mission(task, state, next, held, ending, setDownPlace, trouble, load);
+    return new Mission(task, state, next, held, ending, setDownPlace, trouble, load, progress);
   }
 
   Mission withPriority(int priority) {
@@ -291,17 +349,18 @@ public record Mission(
         ending,
         setDownPlace,
         trouble,
-        load);
+        load,
+        progress);
   }
 
   Mission withPart(OrderPart part) {
     return new Mission(
-        task.withPart(part), state, assignedRobots, held, ending, setDownPlace, trouble, load);
+        task.withPart(part), state, assignedRobots, held, ending, setDownPlace, trouble, load, progress);
   }
 
   Mission withOrder(TransportTask order) {
     return new Mission(
-        task.withOrder(order), state, assignedRobots, held, ending, setDownPlace, trouble, load);
+        task.withOrder(order), state, assignedRobots, held, ending, setDownPlace, trouble, load, progress);
   }
 
   Mission withOwner(String user, long owner) {
@@ -313,23 +372,28 @@ public record Mission(
         ending,
         setDownPlace,
         trouble,
-        load);
+        load,
+        progress);
   }
 
   Mission withHeld(boolean hold) {
-    return new Mission(task, state, assignedRobots, hold, ending, setDownPlace, trouble, load);
+    return new Mission(task, state, assignedRobots, hold, ending, setDownPlace, trouble, load, progress);
   }
 
   Mission withEnding(LoadChoice choice) {
-    return new Mission(task, state, assignedRobots, held, choice, setDownPlace, trouble, load);
+    return new Mission(task, state, assignedRobots, held, choice, setDownPlace, trouble, load, progress);
   }
 
   Mission withLoadAt(@Nullable TaskPlace place) {
-    return new Mission(task, state, assignedRobots, held, ending, place, trouble, load);
+    return new Mission(task, state, assignedRobots, held, ending, place, trouble, load, progress);
   }
 
   Mission withTrouble(@Nullable Trouble next) {
-    return new Mission(task, state, assignedRobots, held, ending, setDownPlace, next, load);
+    return new Mission(task, state, assignedRobots, held, ending, setDownPlace, next, load, progress);
+  }
+
+  Mission withProgress(StopProgress next) {
+    return new Mission(task, state, assignedRobots, held, ending, setDownPlace, trouble, load, next);
   }
 
   Step step(List<MissionCommand> commands, Sentence... history) {

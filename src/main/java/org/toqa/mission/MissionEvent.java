@@ -1,5 +1,6 @@
 package org.toqa.mission;
 
+import java.time.Instant;
 import org.jspecify.annotations.Nullable;
 import org.toqa.wording.Sentence;
 
@@ -14,8 +15,26 @@ public sealed interface MissionEvent {
   /** The robot was told to drive the phase. */
   record DriveStarted(String robot, Phase phase) implements OfRobot {}
 
-  /** The robot has driven the phase to its end. */
-  record PhaseEnded(String robot, Phase phase) implements OfRobot {}
+  /**
+   * The robot has driven the phase to its end.
+   *
+   * @param stop the number, from 0, of the stop where it has come in the first two phases
+   * @param at since when a wait there counts
+   */
+  record PhaseEnded(String robot, Phase phase, int stop, Instant at) implements OfRobot {
+
+    /** Of a mission from start to goal, where nobody waits. */
+    public PhaseEnded(String robot, Phase phase) {
+      this(robot, phase, phase == Phase.TO_GOAL ? 1 : 0, Instant.EPOCH);
+    }
+  }
+
+  /**
+   * The time is over that the robots were to wait.
+   *
+   * @param stop the number of the stop, from 0
+   */
+  record WaitEnded(int stop) implements MissionEvent {}
 
   /** The robot, driving home, was given another task. */
   record Retasked(String robot) implements OfRobot {}
@@ -100,6 +119,14 @@ public sealed interface MissionEvent {
    */
   record Edit(String user, TransportTask order, @Nullable TransportTask seen)
       implements OperatorCommand {}
+
+  /**
+   * The robots, which wait at a stop, may drive on.
+   *
+   * @param stop the number, from 0, of the one that the user has seen: at another one they stay;
+   *     null: whichever it is
+   */
+  record GoOn(String user, @Nullable Integer stop) implements OperatorCommand {}
 
   record Answer(String user, Reply reply) implements OperatorCommand {}
 

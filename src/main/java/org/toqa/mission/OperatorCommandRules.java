@@ -20,6 +20,7 @@ final class OperatorCommandRules {
       case MissionEvent.Edit edit -> objectionToEdit(mission, edit);
       case MissionEvent.Answer answer -> objectionToAnswer(mission, answer);
       case MissionEvent.HandOver ignored -> objectionToChange(mission);
+      case MissionEvent.GoOn goOn -> StopRules.objection(mission, goOn);
       case MissionEvent.MoveLoad ignored -> objectionWithoutLeftLoad(mission);
       case MissionEvent.RemoveLoad ignored -> objectionWithoutLeftLoad(mission);
     };
@@ -96,7 +97,10 @@ final class OperatorCommandRules {
     if (choice == null || choice == mission.ending()) {
       return mission.unchangedStep();
     }
-    Mission ending = withRobotsDriving(mission).withEnding(choice);
+    Mission ending =
+        withRobotsDriving(mission)
+            .withProgress(mission.progress().withoutWait())
+            .withEnding(choice);
     return switch (choice) {
       case HERE -> ending.step(stopCommands(ending), Phrase.CANCELLED_LOAD_HERE.with(event.user()));
       case BACK ->

@@ -1,6 +1,7 @@
 package org.toqa.mission;
 
 import java.util.List;
+import java.util.stream.Stream;
 import org.toqa.wording.Phrase;
 import org.toqa.wording.Sentence;
 
@@ -19,14 +20,17 @@ final class PhaseRules {
 
   static Mission.Step onPhaseEnded(Mission mission, MissionEvent.PhaseEnded event) {
     AssignedRobot assigned = mission.assignedRobot(event.robot()).orElseThrow();
-    if (assigned.phase() != event.phase() || assigned.arrived() || mission.isStopping()) {
+    if (assigned.phase() != event.phase()
+        || assigned.arrived()
+        || mission.isStopping()
+        || isOfOtherStop(mission, event)) {
       return mission.unchangedStep();
     }
     Mission arrived = withoutTroubleOf(event.robot(), mission);
     arrived = arrived.withRobotChanged(event.robot(), AssignedRobot::withArrived);
     return switch (event.phase()) {
-      case TO_OBJECT -> arriveAtObject(arrived, Phrase.IS_AT_LOAD.with(event.robot()));
-      case TO_GOAL -> arriveAtDestination(arrived, event.robot());
+      case TO_OBJECT -> arriveAtObject(arrived, event);
+      case TO_GOAL -> arriveAtDestination(arrived, event);
       case HOME, NONE -> arrived.unassign(event.robot(), Phrase.HAS_PARKED.with(event.robot()));
     };
   }
@@ -68,18 +72,72 @@ final class PhaseRules {
             Phrase.CANCELLED.with());
   }
 
-  private static Mission.Step arriveAtObject(Mission mission, Sentence one) {
+  /** One that was told twice has nothing to do with the next stop. */
+  private static boolean isOfOtherStop(Mission mission, MissionEvent.PhaseEnded event) {
+    return event.phase() == Phase.TO_GOAL
+        && mission.ending() == null
+        && event.stop() != mission.stopNumber();
+  }
+
+  private static Mission.Step arriveAtObject(Mission mission, MissionEvent.PhaseEnded event) {
+    Sentence one = Phrase.IS_AT_LOAD.with(event.robot());
     if (!isComplete(mission)) {
       return mission.withState(TaskState.TO_OBJECT).step(List.of(), one);
     }
-    Mission carrying =
-        mission.withAssignedRobots(inPhase(mission, Phase.TO_GOAL)).withState(TaskState.CARRYING);
-    return carrying.step(
-        carrying.driveCommands(Phase.TO_GOAL),
-        sentences(mission, one, Phrase.PICKED_UP.with(mission.object().sentence())));
+    return mission.isToWaitAtStart()
+        ? waitAt(0, mission.withState(TaskState.TO_OBJECT), one, event)
+        : pickUp(mission, ofSeveral(mission, one));
   }
 
-  private static Mission.Step arriveAtDestination(Mission mission, String robot) {
+  /** Its robots, all at the load, drive on with it. */
+  static Mission.Step pickUp(Mission mission, List<Sentence> before) {
+    Mission carrying =
+        mission
+            .withAssignedRobots(inPhase(mission, Phase.TO_GOAL))
+            .withProgress(new StopProgress(mission.stopNumber(), null))
+            .withState(TaskState.CARRYING);
+    return carrying.step(
+        carrying.driveCommands(Phase.TO_GOAL),
+        followed(before, Phrase.PICKED_UP.with(mission.object().sentence())));
+  }
+
+  private static Mission.Step waitAt(
+      int stop, Mission mission, Sentence one, MissionEvent.PhaseEnded event) {
+    Mission waiting = mission.withProgress(new StopProgress(stop, event.at()));
+    return waiting.step(
+        List.of(),
+        followed(
+            ofSeveral(mission, one),
+            Phrase.WAITS_AT_STOP.with(waiting.waitingStop().orElseThrow().place().sentence())));
+  }
+
+  /** Its robots, all at a stop with the load, drive on, or home from the last one. */
+  static Mission.Step leaveStop(Mission mission, List<Sentence> before) {
+    Sentence where = mission.destination().sentence();
+    if (mission.isAtLastStop()) {
+      Mission returning =
+          mission
+              .withAssignedRobots(inPhase(mission, Phase.HOME))
+              .withState(TaskState.RETURNING)
+              .withLoadAt(null)
+              .withTrouble(null);
+      return returning.step(
+          returning.driveCommands(Phase.HOME),
+          followed(before, Phrase.DELIVERED.with(where)));
+    }
+    int next = mission.stopNumber() + 1;
+    Mission going =
+        mission
+            .withAssignedRobots(inPhase(mission, Phase.TO_GOAL))
+            .withProgress(new StopProgress(next, null));
+    return going.step(
+        going.driveCommands(Phase.TO_GOAL),
+        followed(
+            before, Phrase.LEAVES_STOP.with(where, next, mission.task().route().size())));
+  }
+
+  private static Mission.Step arriveAtDestination(Mission mission, MissionEvent.PhaseEnded event) {
+    String robot = event.robot();
     Sentence where = mission.destination().sentence();
     if (mission.ending() == LoadChoice.BACK) {
       return isComplete(mission)
@@ -93,14 +151,9 @@ final class PhaseRules {
     if (!isComplete(mission)) {
       return mission.step(List.of(), one);
     }
-    Mission returning =
-        mission
-            .withAssignedRobots(inPhase(mission, Phase.HOME))
-            .withState(TaskState.RETURNING)
-            .withLoadAt(null)
-            .withTrouble(null);
-    return returning.step(
-        returning.driveCommands(Phase.HOME), sentences(mission, one, Phrase.DELIVERED.with(where)));
+    return mission.isToWaitAhead()
+        ? waitAt(mission.stopNumber(), mission, one, event)
+        : leaveStop(mission, ofSeveral(mission, one));
   }
 
   private static Mission withoutTroubleOf(String robot, Mission mission) {
@@ -118,7 +171,12 @@ final class PhaseRules {
         .toList();
   }
 
-  private static Sentence[] sentences(Mission mission, Sentence one, Sentence all) {
-    return mission.assignedRobots().size() == 1 ? new Sentence[] {all} : new Sentence[] {one, all};
+  /** Of one robot alone it is told what that leads to. */
+  private static List<Sentence> ofSeveral(Mission mission, Sentence one) {
+    return mission.assignedRobots().size() == 1 ? List.of() : List.of(one);
+  }
+
+  private static Sentence[] followed(List<Sentence> before, Sentence last) {
+    return Stream.concat(before.stream(), Stream.of(last)).toArray(Sentence[]::new);
   }
 }

@@ -3,6 +3,7 @@ package org.toqa.mission;
 import java.time.Instant;
 import java.util.List;
 import java.util.Objects;
+import java.util.stream.IntStream;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -17,6 +18,8 @@ import org.jspecify.annotations.Nullable;
  *     more, or the task is not stored yet
  * @param part which part of an order it is; null: it was ordered by itself
  * @param onlyRobots names of those that may carry it; empty: whichever there are
+ * @param stops all of its way, the start first and the goal last; empty: from start to goal, and
+ *     nobody waits
  */
 public record TransportTask(
     long id,
@@ -32,10 +35,12 @@ public record TransportTask(
     @Nullable Long owner,
     Instant createdAt,
     @Nullable OrderPart part,
-    List<String> onlyRobots) {
+    List<String> onlyRobots,
+    List<Stop> stops) {
 
   public TransportTask {
     onlyRobots = List.copyOf(onlyRobots);
+    stops = List.copyOf(stops);
   }
 
   /** Kilograms and metres; what differs by less is what was entered twice. */
@@ -75,7 +80,7 @@ public record TransportTask(
       Instant createdAt) {
     this(
         id, name, load, start, goal, floor, priority, deadline, size, user, null, createdAt, null,
-        List.of());
+        List.of(), List.of());
   }
 
   /** The same with the id that the store gave it. */
@@ -93,8 +98,7 @@ public record TransportTask(
         user,
         owner,
         createdAt,
-        part,
-        onlyRobots);
+        part, onlyRobots, stops);
   }
 
   /** The same, of that user. */
@@ -112,15 +116,52 @@ public record TransportTask(
         newUser,
         newOwner,
         createdAt,
-        part,
-        onlyRobots);
+        part, onlyRobots, stops);
   }
 
   /** The same, that only these robots may carry; empty: whichever there are. */
   public TransportTask withOnlyRobots(List<String> robots) {
     return new TransportTask(
+        id, name, load, start, goal, floor, priority, deadline, size, user, owner, createdAt, part, robots, stops);
+  }
+
+  /**
+   * The same along these stops.
+   *
+   * @param way the start first and the goal last; empty: from start to goal
+   */
+  public TransportTask withStops(List<Stop> way) {
+    return new TransportTask(
         id, name, load, start, goal, floor, priority, deadline, size, user, owner, createdAt, part,
-        robots);
+        onlyRobots, way);
+  }
+
+  /** All of its way, the start first and the goal last. */
+  public List<Stop> route() {
+    return stops.isEmpty() ? List.of(Stop.at(start), Stop.at(goal)) : stops;
+  }
+
+  /**
+   * The places of its way from one on.
+   *
+   * @param stop from 0
+   */
+  public List<TaskPlace> placesFrom(int stop) {
+    return route().stream().skip(stop).map(Stop::place).toList();
+  }
+
+  /** What it carries from each stop to the next one, as if that were all. */
+  public List<TransportTask> legs() {
+    List<TaskPlace> places = placesFrom(0);
+    return IntStream.range(1, places.size())
+        .mapToObj(i -> between(places.get(i - 1), places.get(i)))
+        .toList();
+  }
+
+  private TransportTask between(TaskPlace from, TaskPlace to) {
+    return new TransportTask(
+        id, name, load, from, to, floor, priority, deadline, size, user, owner, createdAt, part,
+        onlyRobots, List.of());
   }
 
   /** The same as that part of an order. */
@@ -138,8 +179,7 @@ public record TransportTask(
         user,
         owner,
         createdAt,
-        changed,
-        onlyRobots);
+        changed, onlyRobots, stops);
   }
 
   /** Whether the robot may carry it, alone or with others. */
@@ -153,7 +193,8 @@ public record TransportTask(
         && Objects.equals(size, other.size)
         && floor.equals(other.floor)
         && start.equals(other.start)
-        && goal.equals(other.goal);
+        && goal.equals(other.goal)
+        && stops.equals(other.stops);
   }
 
   /** Whether its load is of that weight, kilograms, and size: the same one, as far as is known. */
@@ -187,7 +228,8 @@ public record TransportTask(
         owner,
         createdAt,
         part,
-        order.onlyRobots);
+        order.onlyRobots,
+        order.stops);
   }
 
   TransportTask withPriority(int changed) {
@@ -204,7 +246,6 @@ public record TransportTask(
         user,
         owner,
         createdAt,
-        part,
-        onlyRobots);
+        part, onlyRobots, stops);
   }
 }

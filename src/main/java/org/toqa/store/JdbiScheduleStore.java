@@ -35,7 +35,7 @@ public final class JdbiScheduleStore implements ScheduleStore {
       select s.id, s.name, user_name, user_id, coalesce(u.disabled, true) as resting, floor, load_kg,
         load_length, load_width, start_x, start_y, start_station, goal_x, goal_y, goal_station,
         priority, kind, first_at, every_s, weekdays, time_of_day, zone, until_at, paused,
-        s.created_at, due_at, last_task, only_robots
+        s.created_at, due_at, last_task, only_robots, stops
       from schedules s left join users u on u.id = s.user_id
       """;
 
@@ -118,10 +118,10 @@ public final class JdbiScheduleStore implements ScheduleStore {
                 insert into schedules (submission, name, user_name, user_id, floor, load_kg, load_length,
                   load_width, start_x, start_y, start_station, goal_x, goal_y, goal_station,
                   priority, kind, first_at, every_s, weekdays, time_of_day, zone, until_at, paused,
-                  created_at, due_at, only_robots)
+                  created_at, due_at, only_robots, stops)
                 values (:submission, :name, :user, :owner, :floor, :load, :length, :width, :startX, :startY,
                   :startStation, :goalX, :goalY, :goalStation, :priority, :kind, :first, :every,
-                  :weekdays, :time, :zone, :until, :paused, :at, :due, :onlyRobots)
+                  :weekdays, :time, :zone, :until, :paused, :at, :due, :onlyRobots, :stops)
                 """)
             .bind("submission", key)
             .bind("name", order.name())
@@ -136,7 +136,8 @@ public final class JdbiScheduleStore implements ScheduleStore {
             .bind("paused", schedule.paused())
             .bind("at", schedule.createdAt())
             .bind("due", schedule.due())
-            .bind("onlyRobots", RobotNames.write(order.onlyRobots()));
+            .bind("onlyRobots", RobotNames.write(order.onlyRobots()))
+            .bind("stops", StopsJson.writeOrder(order.stops()));
     bind(update, "start", order.start());
     bind(update, "goal", order.goal());
     bind(update, RecurrenceColumns.of(schedule.recurrence()));

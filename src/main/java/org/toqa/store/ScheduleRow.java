@@ -46,7 +46,8 @@ record ScheduleRow(
     Instant createdAt,
     @Nullable Instant dueAt,
     @Nullable Long lastTask,
-    @Nullable String onlyRobots) {
+    @Nullable String onlyRobots,
+    @Nullable String stops) {
 
   Schedule toSchedule() {
     TaskOrder order =
@@ -59,7 +60,8 @@ record ScheduleRow(
             priority,
             null,
             TaskRow.loadSize(loadLength, loadWidth),
-            RobotNames.read(onlyRobots));
+            RobotNames.read(onlyRobots),
+            StopsJson.readOrder(stops));
     return new Schedule(
         id,
         order,

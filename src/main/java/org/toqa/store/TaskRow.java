@@ -13,6 +13,7 @@ import org.toqa.mission.LoadChoice;
 import org.toqa.mission.LoadRecord;
 import org.toqa.mission.Mission;
 import org.toqa.mission.OrderPart;
+import org.toqa.mission.StopProgress;
 import org.toqa.mission.TaskPlace;
 import org.toqa.mission.TaskState;
 import org.toqa.mission.TransportTask;
@@ -44,14 +45,17 @@ record TaskRow(
     @Nullable Instant loadSince,
     @Nested("trouble") @Nullable TroubleColumns trouble,
     @Nested("order") @Nullable OrderColumns order,
-    @Nullable String onlyRobots) {
+    @Nullable String onlyRobots,
+    @Nullable String stops,
+    int stop,
+    @Nullable Instant waitingSince) {
 
   static final String COLUMNS =
       """
       id, name, user_name, user_id, floor, load_kg, load_length, load_width, start_x, start_y, start_station,
       goal_x, goal_y, goal_station, priority, deadline, state, created_at, changed_at, held, ending,
       set_down_x, set_down_y, load_id, load_since, trouble_robot, trouble_why, trouble_said, trouble_x, trouble_y, trouble_waits,
-      only_robots, order_id, order_part, awaits_previous as order_awaits,
+      only_robots, stops, stop, waiting_since, order_id, order_part, awaits_previous as order_awaits,
       (select o.name from orders o where o.id = tasks.order_id) as order_name,
       (select o.kind from orders o where o.id = tasks.order_id) as order_kind,
       (select o.parts from orders o where o.id = tasks.order_id) as order_parts
@@ -100,7 +104,8 @@ record TaskRow(
         ending,
         place(setDownX, setDownY),
         trouble == null ? null : trouble.toTrouble(),
-        loadId == null || loadSince == null ? null : new LoadRecord(loadId, loadSince));
+        loadId == null || loadSince == null ? null : new LoadRecord(loadId, loadSince),
+        new StopProgress(stop, waitingSince));
   }
 
   private TransportTask toTask() {
@@ -118,7 +123,8 @@ record TaskRow(
         userId,
         createdAt,
         order == null ? null : order.toOrderPart(),
-        RobotNames.read(onlyRobots));
+        RobotNames.read(onlyRobots),
+        StopsJson.read(stops));
   }
 
   /** Null where nobody said it. */

@@ -41,10 +41,10 @@ final class TaskTable {
                     """
                       insert into tasks (name, user_id, user_name, floor, load_kg, load_length, load_width,
                         start_x, start_y, start_station, goal_x, goal_y, goal_station, priority, deadline,
-                        state, created_at, changed_at, submission, order_id, order_part, awaits_previous, only_robots)
+                        state, created_at, changed_at, submission, order_id, order_part, awaits_previous, only_robots, stops)
                       values (:name, :owner, :user, :floor, :load,
                         :length, :width, :startX, :startY, :startStation, :goalX, :goalY, :goalStation,
-                        :priority, :deadline, 'QUEUED', :at, :at, :submission, :order, :part, :awaits, :onlyRobots)
+                        :priority, :deadline, 'QUEUED', :at, :at, :submission, :order, :part, :awaits, :onlyRobots, :stops)
                       """),
                 task)
             .bind("owner", owner)
@@ -77,7 +77,8 @@ final class TaskTable {
         .bind("goalStation", task.goal().station())
         .bind("priority", task.priority())
         .bind("deadline", task.deadline())
-        .bind("onlyRobots", RobotNames.write(task.onlyRobots()));
+        .bind("onlyRobots", RobotNames.write(task.onlyRobots()))
+        .bind("stops", StopsJson.write(task.stops()));
   }
 
   /**
@@ -122,13 +123,14 @@ final class TaskTable {
             update tasks set user_id = (select id from users where id = :owner), user_name = :user,
               name = :name, floor = :floor, load_kg = :load, load_length = :length, load_width = :width,
               start_x = :startX, start_y = :startY, start_station = :startStation,
-              goal_x = :goalX, goal_y = :goalY, goal_station = :goalStation, deadline = :deadline, only_robots = :onlyRobots,
+              goal_x = :goalX, goal_y = :goalY, goal_station = :goalStation, deadline = :deadline, only_robots = :onlyRobots, stops = :stops,
               state = :state, changed_at = :at, priority = :priority, held = :held, ending = :ending,
               assigned_at = coalesce(assigned_at, :assigned), delivered_at = coalesce(delivered_at, :delivered),
               set_down_x = :setDownX, set_down_y = :setDownY, trouble_robot = :troubleRobot,
               trouble_why = :troubleWhy, trouble_said = :troubleSaid, trouble_x = :troubleX,
               trouble_y = :troubleY, trouble_waits = :troubleWaits,
-              awaits_previous = :awaits, load_id = :loadId, load_since = :loadSince
+              awaits_previous = :awaits, load_id = :loadId, load_since = :loadSince,
+              stop = :stop, waiting_since = :waitingSince
             where id = :id
             """),
             mission.task())
@@ -151,6 +153,8 @@ final class TaskTable {
         .bind("awaits", part != null && part.awaitsPrevious())
         .bind("loadId", load == null ? null : load.id())
         .bind("loadSince", load == null ? null : load.since())
+        .bind("stop", mission.progress().stop())
+        .bind("waitingSince", mission.progress().waitingSince())
         .bind("id", mission.id())
         .execute();
   }

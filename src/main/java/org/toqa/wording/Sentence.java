@@ -1,6 +1,7 @@
 package org.toqa.wording;
 
 import java.text.MessageFormat;
+import java.time.Duration;
 import java.util.Collection;
 import java.util.List;
 import java.util.Locale;
@@ -32,6 +33,19 @@ public record Sentence(Phrase phrase, List<Object> values) {
    */
   public static Sentence of(Vec2 point) {
     return Phrase.POINT.with(point.x(), point.y());
+  }
+
+  /** In two units at most, and at least a second. */
+  public static Sentence of(Duration duration) {
+    if (duration.toDays() > 0) {
+      return Phrase.DAYS_AND_HOURS.with(duration.toDays(), duration.toHoursPart());
+    }
+    if (duration.toHours() > 0) {
+      return Phrase.HOURS_AND_MINUTES.with(duration.toHours(), duration.toMinutesPart());
+    }
+    return duration.toMinutes() == 0
+        ? Phrase.SECONDS.with(Math.max(1, duration.toSeconds()))
+        : Phrase.MINUTES_AND_SECONDS.with(duration.toMinutes(), duration.toSecondsPart());
   }
 
   /** Names one after the other. */

@@ -60,6 +60,39 @@ class CrashIT {
     }
   }
 
+  @Test
+  void aKilledServerLeavesEveryStopOfATourOnceAndInOrder() throws Exception {
+    try (RunningServer server = new RunningServer(folder, "--simulate", "2", "--speed", "20")) {
+      Map<String, Object> order = new HashMap<>(RunningServer.order("tour", "Store A", "Mill"));
+      order.keySet().removeAll(List.of("start", "goal"));
+      order.put(
+          "stops",
+          List.of(
+              Map.of("station", "Store A"),
+              Map.of("station", "Mill", "waitForPerson", true),
+              Map.of("station", "Assembly", "waitSeconds", 2),
+              Map.of("station", "Store A")));
+      long task = server.api().post("tasks", order).get("id").asLong();
+      server.awaitState(task, "CARRYING");
+      server.killAndRestart();
+      server.await(
+          "tasks/" + task, t -> t.get("stops").get(1).get("state").asString().equals("HERE"));
+      server.killAndRestart();
+      server.awaitAccepted("tasks/" + task + "/go-on", Map.of("stop", 2));
+      server.killAndRestart();
+      server.await(
+          "tasks/" + task, t -> !t.get("stops").get(2).get("state").asString().equals("AHEAD"));
+      server.killAndRestart();
+      server.awaitState(task, "DONE");
+
+      for (String once :
+          List.of(
+              "Picked up", "Waits at Mill", "Leaves Mill", "Leaves Assembly", "Delivered at Store")) {
+        assertEquals(1, server.eventCount(task, once), once + ": " + server.task(task));
+      }
+    }
+  }
+
   /** Loads past which no robot gets there; their tasks. */
   private static List<Long> setDownInTheDoors(RunningServer server) throws Exception {
     Map<String, Object> order =

@@ -1,5 +1,6 @@
 package org.toqa.mission;
 
+import java.time.Instant;
 import java.util.List;
 import net.jqwik.api.Arbitraries;
 import net.jqwik.api.Arbitrary;
@@ -23,13 +24,23 @@ public final class MissionEvents {
   }
 
   public static Arbitrary<List<MissionEvent>> upTo(int length) {
+    return upTo(length, 1);
+  }
+
+  /**
+   * @param driving how many times as often as usual robots come where they drive
+   */
+  static Arbitrary<List<MissionEvent>> upTo(int length, int driving) {
     Arbitrary<String> robots = Arbitraries.of("r1", "r2", "unassigned");
     Arbitrary<Phase> phases = Arbitraries.of(Phase.TO_OBJECT, Phase.TO_GOAL, Phase.HOME);
     Arbitrary<TaskPlace> places = Arbitraries.just(SPOT).injectNull(0.3);
     Arbitrary<MissionEvent> started =
         Combinators.combine(robots, phases).as(MissionEvent.DriveStarted::new);
     Arbitrary<MissionEvent> ended =
-        Combinators.combine(robots, phases).as(MissionEvent.PhaseEnded::new);
+        Combinators.combine(robots, phases, Arbitraries.integers().between(0, 3))
+            .as(
+                (robot, phase, stop) ->
+                    new MissionEvent.PhaseEnded(robot, phase, stop, Instant.EPOCH));
     Arbitrary<MissionEvent> failures =
         Combinators.combine(robots, places)
             .flatAs(
@@ -54,15 +65,23 @@ public final class MissionEvents {
             new MissionEvent.Hold("max"),
             new MissionEvent.Resume("max"),
             new MissionEvent.Prioritise("max", 7),
+            new MissionEvent.GoOn("max", null),
+            new MissionEvent.GoOn("max", 1),
+            new MissionEvent.GoOn("max", 2),
             new MissionEvent.Cancel("max", null),
             new MissionEvent.Cancel("max", LoadChoice.HERE),
             new MissionEvent.Cancel("max", LoadChoice.BACK),
             new MissionEvent.Answer("max", Reply.ANOTHER),
             new MissionEvent.Answer("max", Reply.WAIT),
             new MissionEvent.Answer("max", Reply.CANCEL));
+    Arbitrary<MissionEvent> goOn = Arbitraries.just(new MissionEvent.GoOn("max", null));
+    Arbitrary<MissionEvent> waits =
+        Arbitraries.integers().between(0, 3).map(MissionEvent.WaitEnded::new);
     return Arbitraries.frequencyOf(
             Tuple.of(1, started),
-            Tuple.of(8, ended),
+            Tuple.of(12 * driving, ended),
+            Tuple.of(driving, waits),
+            Tuple.of(driving, goOn),
             Tuple.of(2, failures),
             Tuple.of(2, others),
             Tuple.of(2, commands))

@@ -1,5 +1,7 @@
 package org.toqa.mission;
 
+import net.jqwik.api.Arbitraries;
+import java.util.ArrayList;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
@@ -37,8 +39,9 @@ class MissionPropertyTest {
   }
 
   @Property(tries = 5000)
-  void anySequenceOfEventsLeavesALegalState(@ForAll("events") List<MissionEvent> events) {
-    Mission mission = Mission.queued(MissionTest.TASK);
+  void anySequenceOfEventsLeavesALegalState(
+      @ForAll("tasks") TransportTask task, @ForAll("events") List<MissionEvent> events) {
+    Mission mission = Mission.queued(task);
     for (MissionEvent event : events) {
       mission = MissionEvents.givenToRobots(mission);
       Mission.Step step = mission.apply(event);
@@ -53,8 +56,9 @@ class MissionPropertyTest {
   }
 
   @Property
-  void anEventRepeatedAtOnceChangesNothingMore(@ForAll("events") List<MissionEvent> events) {
-    Mission mission = Mission.queued(MissionTest.TASK);
+  void anEventRepeatedAtOnceChangesNothingMore(
+      @ForAll("tasks") TransportTask task, @ForAll("events") List<MissionEvent> events) {
+    Mission mission = Mission.queued(task);
     for (MissionEvent event : events) {
       mission = MissionEvents.givenToRobots(mission).apply(event).mission();
       assertFalse(mission.apply(event).hasChanges(), event::toString);
@@ -64,8 +68,8 @@ class MissionPropertyTest {
   /** A person can always end a task that has not delivered its load. */
   @Property
   void whateverHappenedATaskThatHasNotDeliveredCanBeCancelled(
-      @ForAll("events") List<MissionEvent> events) {
-    Mission mission = Mission.queued(MissionTest.TASK);
+      @ForAll("tasks") TransportTask task, @ForAll("events") List<MissionEvent> events) {
+    Mission mission = Mission.queued(task);
     for (MissionEvent event : events) {
       mission = MissionEvents.givenToRobots(mission).apply(event).mission();
     }
@@ -83,6 +87,31 @@ class MissionPropertyTest {
           mission.apply(new MissionEvent.Stopped(assigned.robot(), MissionEvents.SPOT)).mission();
     }
     assertEquals(TaskState.CANCELLED, mission.state());
+  }
+
+  /** Whatever is lost, repeated or told late. */
+  @Property
+  void everyStopIsLeftOnceAndInOrder(@ForAll("manyEvents") List<MissionEvent> events) {
+    Mission mission = Mission.queued(MissionTest.TOUR);
+    List<Integer> left = new ArrayList<>();
+    for (MissionEvent event : events) {
+      Mission before = MissionEvents.givenToRobots(mission);
+      mission = before.apply(event).mission();
+      boolean isDelivery = mission.state() == TaskState.RETURNING && before.state() != mission.state();
+      if (mission.progress().stop() != before.progress().stop() || isDelivery) {
+        left.add(before.progress().stop());
+        assertTrue(
+            isDelivery || mission.progress().stop() == before.progress().stop() + 1,
+            before + " to " + mission);
+      }
+    }
+    List<Integer> all = List.of(0, 1, 2, 3);
+    assertEquals(all.subList(0, left.size()), left);
+    boolean isDelivered = mission.state().isDelivered();
+    assertEquals(isDelivered, left.size() == all.size());
+    Statistics.label("delivered")
+        .collect(isDelivered)
+        .coverage(coverage -> coverage.check(true).percentage(p -> p > 1));
   }
 
   private static void assertLegal(Mission mission) {
@@ -106,6 +135,11 @@ class MissionPropertyTest {
               mission::toString);
       case FAILED -> assertFalse(true, "nothing leads there");
     }
+    if (mission.waitingStop().isPresent()) {
+      assertTrue(
+          mission.assignedRobots().stream().allMatch(AssignedRobot::arrived), mission::toString);
+      assertTrue(mission.waitingStop().orElseThrow().hasWait(), mission::toString);
+    }
     Trouble trouble = mission.trouble();
     if (trouble != null) {
       AssignedRobot assigned = mission.assignedRobot(trouble.robot()).orElseThrow();
@@ -115,6 +149,16 @@ class MissionPropertyTest {
       assertFalse(mission.held(), mission::toString);
       assertTrue(mission.question().isEmpty(), mission::toString);
     }
+  }
+
+  @Provide
+  Arbitrary<TransportTask> tasks() {
+    return Arbitraries.of(MissionTest.TASK, MissionTest.TOUR);
+  }
+
+  @Provide
+  Arbitrary<List<MissionEvent>> manyEvents() {
+    return MissionEvents.upTo(400, 20);
   }
 
   @Provide

@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.time.Duration;
 import java.time.Instant;
 import java.util.List;
 import java.util.Objects;
@@ -13,6 +14,8 @@ import org.toqa.geometry.Vec2;
 import org.toqa.wording.Sentence;
 
 class MissionTest {
+
+  private static final Instant NOON = Instant.parse("2026-11-21T12:00:00Z");
 
   static final TransportTask TASK =
       new TransportTask(
@@ -28,7 +31,85 @@ class MissionTest {
           "ann",
           Instant.EPOCH);
 
+  /** Along four stops: with a person at the first and third one, and half a minute at the last. */
+  static final TransportTask TOUR =
+      TASK.withStops(
+          List.of(
+              new Stop(TASK.start(), true, null),
+              Stop.at(new TaskPlace(new Vec2(2, 1), "Mill")),
+              new Stop(new TaskPlace(new Vec2(3, 1), "Oven"), true, null),
+              new Stop(TASK.goal(), false, Duration.ofSeconds(30))));
+
   private static final TaskPlace THERE = new TaskPlace(new Vec2(3, 1.5), null);
+
+  @Example
+  void aTourGoesFromStopToStopAndWaitsWhereItShall() {
+    Mission mission = Mission.queued(TOUR).assign(List.of("r1"), Sentence.verbatim("near")).mission();
+    Mission.Step step = mission.apply(arrived(Phase.TO_OBJECT, 0));
+    assertEquals(List.of("Waits at Store"), said(step));
+    assertEquals(TaskState.TO_OBJECT, step.mission().state());
+    assertEquals(List.of(), step.commands());
+    assertFalse(step.mission().isWaitOver(NOON.plusSeconds(1_000_000)), "a person says it");
+
+    step = step.mission().apply(new MissionEvent.GoOn("max", 0));
+    assertEquals(List.of("max let the robot go on from Store", "Picked up at Store"), said(step));
+    assertEquals(List.of(new MissionCommand.Drive("r1", Phase.TO_GOAL)), step.commands());
+    assertEquals("Mill", step.mission().destination().station());
+
+    step = step.mission().apply(arrived(Phase.TO_GOAL, 1));
+    assertEquals(List.of("Leaves Mill, stop 2 of 4"), said(step));
+    assertEquals("Oven", step.mission().destination().station());
+    assertFalse(step.mission().apply(arrived(Phase.TO_GOAL, 1)).hasChanges(), "told twice");
+
+    step = step.mission().apply(arrived(Phase.TO_GOAL, 2));
+    assertEquals(List.of("Waits at Oven"), said(step));
+    Mission held = step.mission().apply(new MissionEvent.Hold("max")).mission();
+    assertTrue(held.objectionTo(new MissionEvent.GoOn("max", null)).isPresent());
+    assertTrue(step.mission().objectionTo(new MissionEvent.GoOn("max", 0)).isPresent());
+    step = step.mission().apply(new MissionEvent.GoOn("max", null));
+    assertEquals(TaskState.CARRYING, step.mission().state());
+
+    Mission waiting = step.mission().apply(arrived(Phase.TO_GOAL, 3)).mission();
+    assertFalse(waiting.isWaitOver(NOON.plusSeconds(29)));
+    assertTrue(waiting.isWaitOver(NOON.plusSeconds(30)));
+    step = waiting.apply(new MissionEvent.WaitEnded(3));
+    assertEquals(TaskState.RETURNING, step.mission().state());
+    assertEquals(List.of(new MissionCommand.Drive("r1", Phase.HOME)), step.commands());
+  }
+
+  @Example
+  void whatAnotherRobotFetchesOnTheWayGoesToTheStopThatWasNotLeft() {
+    Mission mission =
+        Mission.queued(TOUR)
+            .assign(List.of("r1"), Sentence.verbatim("near"))
+            .mission()
+            .apply(arrived(Phase.TO_OBJECT, 0))
+            .mission()
+            .apply(new MissionEvent.GoOn("max", null))
+            .mission()
+            .apply(arrived(Phase.TO_GOAL, 1))
+            .mission()
+            .apply(new MissionEvent.RobotFailed("r1", Sentence.verbatim("reports an error"), THERE))
+            .mission()
+            .apply(new MissionEvent.Answer("max", Reply.ANOTHER))
+            .mission();
+    assertEquals(TaskState.QUEUED, mission.state());
+    assertEquals(THERE, mission.object());
+
+    mission =
+        mission
+            .assign(List.of("r2"), Sentence.verbatim("near"))
+            .mission()
+            .apply(new MissionEvent.PhaseEnded("r2", Phase.TO_OBJECT))
+            .mission();
+
+    assertEquals(TaskState.CARRYING, mission.state(), "nobody waits where it was set down");
+    assertEquals("Oven", mission.destination().station());
+  }
+
+  private static MissionEvent.PhaseEnded arrived(Phase phase, int stop) {
+    return new MissionEvent.PhaseEnded("r1", phase, stop, NOON);
+  }
 
   @Example
   void oneRobotFetchesCarriesAndParks() {

@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.time.Duration;
 import java.util.List;
 import java.util.Optional;
 import java.util.UUID;
@@ -19,6 +20,7 @@ import org.toqa.mission.LoadChoice;
 import org.toqa.mission.Mission;
 import org.toqa.mission.MissionEvent;
 import org.toqa.mission.Phase;
+import org.toqa.mission.Stop;
 import org.toqa.mission.TaskPlace;
 import org.toqa.mission.TaskState;
 import org.toqa.mission.TransportTask;
@@ -72,7 +74,12 @@ class FleetStoreTest extends FleetDatabaseTest {
                 new LoadSize(0.6, 0.4),
                 "Ann",
                 AT)
-            .withOnlyRobots(List.of("r2", "r.1_b"));
+            .withOnlyRobots(List.of("r2", "r.1_b"))
+            .withStops(
+                List.of(
+                    new Stop(new TaskPlace(new Vec2(1.5, -2.5), "Store A"), true, null),
+                    new Stop(
+                        new TaskPlace(new Vec2(0.1, 0.2), null), false, Duration.ofSeconds(90))));
     TransportTask stored = added(asked);
     assertTrue(stored.id() > 0);
     assertEquals(List.of(new OpenTask(Mission.queued(stored), AT)), store.openTasks());

@@ -48,9 +48,15 @@ class MissionCrashPropertyTest {
    * a new store reads. The other is never interrupted. They stay the same.
    */
   @Property(tries = 200)
-  void whatIsReadAfterACrashIsWhatWasLived(@ForAll("events") List<MissionEvent> events) {
+  void whatIsReadAfterACrashIsWhatWasLived(
+      @ForAll boolean isTour, @ForAll("events") List<MissionEvent> events) {
     UUID key = UUID.randomUUID();
-    TransportTask task = added(key);
+    TransportTask task =
+        added(
+            isTour
+                ? LabTask.tour("ann", FleetDatabaseTest.AT)
+                : LabTask.of("box", "ann", FleetDatabaseTest.AT),
+            key);
     liveTwice(task, events);
     new JdbiFleetStore(database.jdbi()).withdrawTasks(List.of(key));
   }
@@ -78,8 +84,8 @@ class MissionCrashPropertyTest {
     }
   }
 
-  private TransportTask added(UUID key) {
-    Submission submission = new Submission(LabTask.of("box", "ann", FleetDatabaseTest.AT), key);
+  private TransportTask added(TransportTask task, UUID key) {
+    Submission submission = new Submission(task, key);
     return new JdbiFleetStore(database.jdbi()).addTasks(List.of(submission)).getFirst();
   }
 

@@ -1,7 +1,10 @@
 package org.toqa.testbed;
 
+import java.time.Duration;
 import java.time.Instant;
+import java.util.List;
 import org.toqa.geometry.Vec2;
+import org.toqa.mission.Stop;
 import org.toqa.mission.TaskPlace;
 import org.toqa.mission.TransportTask;
 
@@ -11,6 +14,16 @@ public final class LabTask {
   private static final TaskPlace GOAL = new TaskPlace(new Vec2(2, 2), null);
 
   private LabTask() {}
+
+  /** The same along three stops: a person at the second one, and a moment at the last. */
+  public static TransportTask tour(String user, Instant at) {
+    TransportTask task = of("tour", user, at);
+    return task.withStops(
+        List.of(
+            Stop.at(START),
+            new Stop(new TaskPlace(new Vec2(1.5, 1), "Mill"), true, null),
+            new Stop(GOAL, true, Duration.ofSeconds(5))));
+  }
 
   /** A box of 1 kg that was asked for then; its id is not known yet. */
   public static TransportTask of(String name, String user, Instant at) {

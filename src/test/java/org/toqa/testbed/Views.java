@@ -15,6 +15,7 @@ import org.toqa.fleet.TaskView;
 import org.toqa.grid.CellRuns;
 import org.toqa.mission.LoadRecord;
 import org.toqa.mission.Question;
+import org.toqa.mission.StopProgress;
 import org.toqa.mission.TaskPlace;
 import org.toqa.mission.TaskState;
 import org.toqa.mission.TransportTask;
@@ -89,6 +90,7 @@ public final class Views {
         needs,
         late,
         changedAt,
-        new LoadRecord(task.id(), task.createdAt()));
+        new LoadRecord(task.id(), task.createdAt()),
+        StopProgress.START);
   }
 }

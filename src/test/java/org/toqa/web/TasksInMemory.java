@@ -241,8 +241,7 @@ public abstract class TasksInMemory extends ArchiveInMemory implements Fleet {
 
   /** The task alone, or all that is against it. */
   private List<Answer<TransportTask>> answers(TaskOrder order, String user) {
-    Optional<TaskPlace> start = place(order.start());
-    Optional<TaskPlace> goal = place(order.goal());
+    List<Optional<TaskPlace>> places = order.places().stream().map(this::place).toList();
     List<Answer<TransportTask>> answers = new ArrayList<>();
     if (order.floor() != null && !order.floor().equals(floor.name())) {
       answers.add(new Answer.Rejected<>("floor", Phrase.NO_SUCH_FLOOR.with(order.floor())));
@@ -251,17 +250,21 @@ public abstract class TasksInMemory extends ArchiveInMemory implements Fleet {
       answers.add(
           new Answer.Rejected<>("load", Phrase.TOO_HEAVY_TOGETHER.with(order.load(), HEAVIEST)));
     }
-    if (start.isEmpty()) {
+    if (places.getFirst().isEmpty()) {
       answers.add(notFree("start"));
     }
-    if (goal.isEmpty()) {
+    if (places.getLast().isEmpty()) {
       answers.add(notFree("goal"));
     }
     if (answers.isEmpty()) {
       answers.add(
           new Answer.Accepted<>(
               order
-                  .task(start.orElseThrow(), goal.orElseThrow(), floor.name(), user, latest.at())
+                  .task(
+                      places.stream().map(Optional::orElseThrow).toList(),
+                      floor.name(),
+                      user,
+                      latest.at())
                   .withId(nextId)
                   .withOwner(user, accountId.apply(user))));
     }
@@ -376,7 +379,37 @@ public abstract class TasksInMemory extends ArchiveInMemory implements Fleet {
             : new Trouble(
                 "r1", Phrase.IS_NOT_HEARD_OF.with(), new TaskPlace(new Vec2(2, 2), null), false);
     TaskPlace left = view.state().isEnded() ? view.loadAt() : null;
-    return new Mission(view.task(), view.state(), carriers, view.held(), null, left, trouble);
+    return new Mission(
+        view.task(),
+        view.state(),
+        carriers,
+        view.held(),
+        null,
+        left,
+        trouble,
+        view.load(),
+        view.progress());
+  }
+
+  /** r1 has come to that stop of the task's, from 0, and waits there. */
+  public void waitAtStop(long id, int stop) {
+    changeView(
+        id,
+        view -> {
+          Mission mission =
+              Mission.queued(view.task())
+                  .assign(List.of("r1"), Phrase.IS_SOONER.with())
+                  .mission()
+                  .apply(new MissionEvent.PhaseEnded("r1", Phase.TO_OBJECT, 0, latest.at()))
+                  .mission();
+          for (int next = 1; next <= stop; next++) {
+            mission =
+                mission
+                    .apply(new MissionEvent.PhaseEnded("r1", Phase.TO_GOAL, next, latest.at()))
+                    .mission();
+          }
+          return TaskView.of(mission, null, latest.at());
+        });
   }
 
   /** Publishes that a robot of the task, which has the load on board, is lost. */

@@ -53,7 +53,7 @@ final class DeadlineWatch {
       lateTasks.remove(task.id());
       return Optional.empty();
     }
-    Sentence sentence = Phrase.CANNOT_BE_IN_TIME.with(delivery.robot(), text(after));
+    Sentence sentence = Phrase.CANNOT_BE_IN_TIME.with(delivery.robot(), Sentence.of(after));
     return lateTasks.putIfAbsent(task.id(), sentence) == null && isNew
         ? Optional.of(sentence)
         : Optional.empty();
@@ -71,17 +71,5 @@ final class DeadlineWatch {
       return task;
     }
     return task.withLateness(lateTasks.get(task.id()));
-  }
-
-  private static Sentence text(Duration duration) {
-    if (duration.toDays() > 0) {
-      return Phrase.DAYS_AND_HOURS.with(duration.toDays(), duration.toHoursPart());
-    }
-    if (duration.toHours() > 0) {
-      return Phrase.HOURS_AND_MINUTES.with(duration.toHours(), duration.toMinutesPart());
-    }
-    return duration.toMinutes() == 0
-        ? Phrase.SECONDS.with(Math.max(1, duration.toSeconds()))
-        : Phrase.MINUTES_AND_SECONDS.with(duration.toMinutes(), duration.toSecondsPart());
   }
 }

@@ -13,6 +13,7 @@ import org.toqa.fleet.RobotView;
 import org.toqa.fleet.TaskView;
 import org.toqa.geometry.Pose;
 import org.toqa.geometry.Vec2;
+import org.toqa.mission.TaskPlace;
 import org.toqa.mission.TaskState;
 
 /**
@@ -83,12 +84,13 @@ final class DeliveryForecast {
 
   /** With the load on board, or through where it is. */
   private double metresToDelivery(RobotView robot, Vec2 from, TaskView task) {
-    Vec2 goal = task.task().goal().position();
-    if (task.state() == TaskState.CARRYING) {
-      return metres(robot, from, goal);
+    double metres = 0;
+    Vec2 at = from;
+    for (TaskPlace place : task.placesAhead()) {
+      metres += metres(robot, at, place.position());
+      at = place.position();
     }
-    Vec2 object = task.object().position();
-    return metres(robot, from, object) + metres(robot, object, goal);
+    return metres;
   }
 
   private double metres(RobotView robot, Vec2 from, Vec2 to) {

@@ -4,11 +4,13 @@ import java.time.Instant;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.OptionalInt;
 import java.util.Set;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionException;
 import java.util.concurrent.CompletionStage;
 import java.util.stream.Collectors;
+import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 import org.toqa.fleet.Answer;
@@ -69,7 +71,7 @@ final class OrderValidator {
       TaskOrder order, String user, Instant now, Capacity capacity, OrderChecks.Check check) {
     List<Answer<TransportTask>> resolved = resolveTask(order, user, now, capacity);
     return resolved.getFirst() instanceof Answer.Accepted<TransportTask>(TransportTask task)
-        ? checkPath(task, capacity, check)
+        ? checkPaths(task, task.legs(), capacity, check)
             .thenCompose(checked -> checkRoom(checked, capacity, check))
             .thenApply(List::of)
         : CompletableFuture.completedFuture(resolved);
@@ -87,22 +89,58 @@ final class OrderValidator {
       objectionToChosen(order, capacity)
           .ifPresent(why -> rejections.add(new Answer.Rejected<>("onlyRobots", why)));
     }
-    Answer<TaskPlace> start = resolvePlace(Phrase.START, order.start());
-    Answer<TaskPlace> goal = resolvePlace(Phrase.GOAL, order.goal());
-    Stream.of(start, goal)
+    List<Answer<TaskPlace>> resolved = resolvePlaces(order);
+    resolved.stream()
         .filter(place -> !(place instanceof Answer.Accepted<TaskPlace>))
         .forEach(place -> rejections.add(place.asRejection()));
-    if (start instanceof Answer.Accepted<TaskPlace>(TaskPlace from)
-        && goal instanceof Answer.Accepted<TaskPlace>(TaskPlace to)) {
-      OccupancyGrid grid = floor.grid();
-      if (grid.cellAt(from.position()).equals(grid.cellAt(to.position()))) {
-        rejections.add(new Answer.Rejected<>("goal", Phrase.SAME_PLACE.with()));
-      }
+    List<TaskPlace> places =
+        resolved.stream()
+            .flatMap(
+                place ->
+                    place instanceof Answer.Accepted<TaskPlace>(TaskPlace known)
+                        ? Stream.of(known)
+                        : Stream.empty())
+            .toList();
+    if (places.size() == resolved.size()) {
+      samePlace(places).ifPresent(i -> rejections.add(samePlace(order, i)));
       if (rejections.isEmpty()) {
-        return List.of(new Answer.Accepted<>(order.task(from, to, floor.name(), user, now)));
+        return List.of(new Answer.Accepted<>(order.task(places, floor.name(), user, now)));
       }
     }
     return rejections;
+  }
+
+  /** The places of its way in order, or what speaks against them. */
+  private List<Answer<TaskPlace>> resolvePlaces(TaskOrder order) {
+    if (order.stops().isEmpty()) {
+      return List.of(
+          resolvePlace(Phrase.START, "start", order.start()),
+          resolvePlace(Phrase.GOAL, "goal", order.goal()));
+    }
+    return IntStream.range(0, order.stops().size())
+        .mapToObj(i -> resolvePlace(Phrase.PLACE, stopField(i), order.stops().get(i).where()))
+        .toList();
+  }
+
+  private static String stopField(int stop) {
+    return "stops." + stop;
+  }
+
+  /** The number of the first one that is where the one before it is. */
+  private OptionalInt samePlace(List<TaskPlace> places) {
+    OccupancyGrid grid = floor.grid();
+    return IntStream.range(1, places.size())
+        .filter(
+            i ->
+                grid.cellAt(places.get(i - 1).position())
+                    .equals(grid.cellAt(places.get(i).position())))
+        .findFirst();
+  }
+
+  private static Answer<TransportTask> samePlace(TaskOrder order, int stop) {
+    return order.stops().isEmpty()
+        ? new Answer.Rejected<>("goal", Phrase.SAME_PLACE.with())
+        : new Answer.Rejected<>(stopField(stop), Phrase.SAME_AS_STOP_BEFORE.with());
   }
 
   /** Of the robots that alone may carry it: whether they are there, and can. */
@@ -132,8 +170,8 @@ final class OrderValidator {
    * @return the path; or the sentence against it, with the question's field
    */
   CompletionStage<Answer<PathAnswer>> findPath(PathQuestion question, OrderChecks.Check check) {
-    Answer<TaskPlace> start = resolvePlace(Phrase.START, question.start());
-    Answer<TaskPlace> goal = resolvePlace(Phrase.GOAL, question.goal());
+    Answer<TaskPlace> start = resolvePlace(Phrase.START, "start", question.start());
+    Answer<TaskPlace> goal = resolvePlace(Phrase.GOAL, "goal", question.goal());
     if (!(start instanceof Answer.Accepted<TaskPlace>(TaskPlace from))) {
       return CompletableFuture.completedFuture(start.asRejection());
     }
@@ -162,6 +200,21 @@ final class OrderValidator {
   private static <T> Answer<T> noPath(TaskPlace from, TaskPlace to) {
     return new Answer.Rejected<>(
         "goal", Phrase.NO_WAY_BETWEEN.with(from.sentence(), to.sentence()));
+  }
+
+  /** Each leg after the one before it. */
+  private CompletionStage<Answer<TransportTask>> checkPaths(
+      TransportTask task, List<TransportTask> legs, Capacity capacity, OrderChecks.Check check) {
+    CompletionStage<Answer<TransportTask>> first = checkPath(legs.getFirst(), capacity, check);
+    return first.thenCompose(
+        checked -> {
+          if (!(checked instanceof Answer.Accepted<TransportTask>)) {
+            return CompletableFuture.completedFuture(checked);
+          }
+          return legs.size() == 1
+              ? CompletableFuture.completedFuture(new Answer.Accepted<>(task))
+              : checkPaths(task, legs.subList(1, legs.size()), capacity, check);
+        });
   }
 
   /** Whether there is a path, for the smallest robot, and for the load where one carries it. */
@@ -212,6 +265,10 @@ final class OrderValidator {
       Answer<TransportTask> checked, Capacity capacity, OrderChecks.Check check) {
     if (!(checked instanceof Answer.Accepted<TransportTask>(TransportTask task))) {
       return CompletableFuture.completedFuture(checked);
+    }
+    if (!task.stops().isEmpty() && !capacity.narrowestTeams(task).isEmpty()) {
+      return CompletableFuture.completedFuture(
+          new Answer.Rejected<>("load", Phrase.STOPS_NEED_ONE_ROBOT.with(task.load())));
     }
     Mission mission = Mission.queued(task);
     return paths
@@ -318,30 +375,26 @@ final class OrderValidator {
         : Optional.empty();
   }
 
-  private Answer<TaskPlace> resolvePlace(Phrase end, Where where) {
+  private Answer<TaskPlace> resolvePlace(Phrase end, String field, Where where) {
     return switch (where) {
       case Where.Station(String name) ->
           floor.stations().stream()
               .filter(s -> s.name().equals(name))
               .findFirst()
-              .map(s -> checkStandable(end, new TaskPlace(s.position(), s.name())))
+              .map(s -> checkStandable(end, field, new TaskPlace(s.position(), s.name())))
               .orElseGet(
                   () ->
                       new Answer.Rejected<>(
-                          fieldOf(end),
+                          field,
                           Phrase.NO_SUCH_STATION.with(name, names(floor.stations()))));
-      case Where.Point(Vec2 position) -> checkStandable(end, new TaskPlace(position, null));
+      case Where.Point(Vec2 position) -> checkStandable(end, field, new TaskPlace(position, null));
     };
   }
 
-  private Answer<TaskPlace> checkStandable(Phrase end, TaskPlace place) {
+  private Answer<TaskPlace> checkStandable(Phrase end, String field, TaskPlace place) {
     return PlaceCheck.objection(floor.grid(), end, place)
-        .<Answer<TaskPlace>>map(why -> new Answer.Rejected<>(fieldOf(end), why))
+        .<Answer<TaskPlace>>map(why -> new Answer.Rejected<>(field, why))
         .orElseGet(() -> new Answer.Accepted<>(place));
-  }
-
-  private static String fieldOf(Phrase end) {
-    return end == Phrase.START ? "start" : "goal";
   }
 
   private static Sentence names(List<Place> places) {

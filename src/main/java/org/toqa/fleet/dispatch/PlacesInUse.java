@@ -27,7 +27,9 @@ final class PlacesInUse {
         task -> {
           List<Pose> stand = posesByTask.getOrDefault(task.id(), List.of());
           add(uses, task, task.object(), isComingForLoad(task), stand);
-          add(uses, task, task.task().goal(), isComing(task), stand);
+          task.task()
+              .placesFrom(Math.max(1, task.progress().stop()))
+              .forEach(place -> add(uses, task, place, isComing(task), stand));
         });
     return List.copyOf(uses);
   }

@@ -24,6 +24,7 @@ import org.toqa.mission.Mission;
 import org.toqa.mission.MissionEvent;
 import org.toqa.mission.Objection;
 import org.toqa.mission.OrderPart;
+import org.toqa.mission.StopProgress;
 import org.toqa.mission.TransportTask;
 import org.toqa.persistence.StoreException;
 import org.toqa.wording.Phrase;
@@ -229,7 +230,7 @@ final class TaskCommandHandler {
       return;
     }
     AllocationProblem problem =
-        rounds.problem(List.of(TaskQueue.job(task, task.start())), List.of(), state.candidates());
+        rounds.problem(List.of(TaskQueue.job(task, task.start(), StopProgress.START)), List.of(), state.candidates());
     var _ =
         new TaskPreviewer(decider, paths, state.floor, request.check())
             .preview(task, problem, state.now)

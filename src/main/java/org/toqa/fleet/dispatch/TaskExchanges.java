@@ -41,7 +41,7 @@ final class TaskExchanges {
     for (TaskView task : missions) {
       if (isExchangeable(task) && isDrivingToLoad(task, byName.get(task.robots().getFirst()))) {
         given.add(
-            new GivenTask(TaskQueue.job(task.task(), task.object()), task.robots().getFirst()));
+            new GivenTask(TaskQueue.job(task.task(), task.object(), task.progress()), task.robots().getFirst()));
       }
     }
     return given;
@@ -51,6 +51,7 @@ final class TaskExchanges {
     return (task.state() == TaskState.ASSIGNED || task.state() == TaskState.TO_OBJECT)
         && task.robots().size() == 1
         && !task.held()
+        && !task.isWaitingAtStop()
         && task.needs() == null
         && !exchanged.containsKey(task.id());
   }

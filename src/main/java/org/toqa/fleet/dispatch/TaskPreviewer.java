@@ -4,6 +4,7 @@ import java.time.Instant;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
+import java.util.stream.Stream;
 import org.toqa.allocation.AllocationProblem;
 import org.toqa.allocation.Candidate;
 import org.toqa.allocation.Decision;
@@ -107,7 +108,20 @@ final class TaskPreviewer {
     };
   }
 
+  /** Along all its stops. */
   private CompletableFuture<List<Vec2>> path(TransportTask task) {
+    CompletableFuture<List<Vec2>> points = CompletableFuture.completedFuture(List.of());
+    for (TransportTask leg : task.legs()) {
+      points =
+          points.thenCompose(
+              before ->
+                  legPath(leg)
+                      .thenApply(next -> Stream.concat(before.stream(), next.stream()).toList()));
+    }
+    return points;
+  }
+
+  private CompletableFuture<List<Vec2>> legPath(TransportTask task) {
     return paths
         .findPath(
             floor.grid(),

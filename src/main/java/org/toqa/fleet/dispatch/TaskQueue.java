@@ -9,7 +9,9 @@ import java.util.TreeMap;
 import java.util.function.Predicate;
 import java.util.stream.Stream;
 import org.toqa.allocation.AllocationTask;
+import org.toqa.geometry.Vec2;
 import org.toqa.mission.Mission;
+import org.toqa.mission.StopProgress;
 import org.toqa.mission.TaskPlace;
 import org.toqa.mission.TransportTask;
 
@@ -44,20 +46,24 @@ final class TaskQueue {
   }
 
   private static AllocationTask job(Mission mission) {
-    return job(mission.task(), mission.object());
+    return job(mission.task(), mission.object(), mission.progress());
   }
 
   /**
    * @param object where the load is fetched
+   * @param progress how far it has come already
    */
-  static AllocationTask job(TransportTask task, TaskPlace object) {
+  static AllocationTask job(TransportTask task, TaskPlace object, StopProgress progress) {
+    List<Vec2> ahead =
+        task.placesFrom(Math.max(1, progress.stop())).stream().map(TaskPlace::position).toList();
     return new AllocationTask(
             task.id(),
             task.load(),
             object.position(),
             task.goal().position(),
             AllocationTask.waitingSince(task.createdAt(), task.priority(), task.deadline()))
-        .withOnlyRobots(task.onlyRobots());
+        .withOnlyRobots(task.onlyRobots())
+        .withStops(ahead.subList(0, ahead.size() - 1), !task.stops().isEmpty());
   }
 
   Optional<Queued> get(long id) {

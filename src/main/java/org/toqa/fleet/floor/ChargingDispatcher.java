@@ -20,6 +20,7 @@ import org.toqa.grid.Place;
 import org.toqa.mission.AssignedRobot;
 import org.toqa.mission.Mission;
 import org.toqa.mission.MissionEvent;
+import org.toqa.mission.TaskPlace;
 import org.toqa.mission.Phase;
 import org.toqa.wording.Phrase;
 import org.toqa.wording.Sentence;
@@ -192,13 +193,14 @@ final class ChargingDispatcher {
     if (pose == null) {
       return true;
     }
-    Vec2 object = mission.object().position();
-    Vec2 goal = mission.destination().position();
-    double used =
-        Energy.joules(queues.metres(robot, pose.position(), object), 0)
-            + Energy.joules(
-                queues.metres(robot, object, goal), state.formations.share(mission, robot.name()))
-            + Energy.joules(queues.metresToCharger(robot, goal), 0);
+    Vec2 at = mission.object().position();
+    double share = state.formations.share(mission, robot.name());
+    double used = Energy.joules(queues.metres(robot, pose.position(), at), 0);
+    for (TaskPlace stop : mission.task().placesFrom(mission.stopNumber())) {
+      used += Energy.joules(queues.metres(robot, at, stop.position()), share);
+      at = stop.position();
+    }
+    used += Energy.joules(queues.metresToCharger(robot, at), 0);
     return used < battery * Energy.BATTERY_JOULES;
   }
 

@@ -158,7 +158,13 @@ final class DriveDispatcher {
             .get(task)
             .flatMap(mission -> mission.assignedRobot(robot.name()))
             .filter(c -> !c.unassigned() && c.phase() == goal.phase())
-            .isEmpty();
+            .isEmpty()
+        || isOfLeftStop(goal, task);
+  }
+
+  private boolean isOfLeftStop(DriveGoal goal, long task) {
+    return goal.phase() == Phase.TO_GOAL
+        && state.missions.get(task).filter(m -> m.stopNumber() == goal.stop()).isEmpty();
   }
 
   /** Whether it drives for a task that needs it no more; what follows is being stored. */
@@ -199,6 +205,7 @@ final class DriveDispatcher {
             .missions
             .storedMissionOf(robot.name())
             .filter(stored -> stored.id() == mission.id() && stored.state() == mission.state())
+            .filter(stored -> stored.progress().equals(mission.progress()))
             .isPresent();
     if (updateLeftBehind(robot, mission)) {
       endWithoutLeader(robot, mission);
@@ -234,7 +241,7 @@ final class DriveDispatcher {
 
   private void endWithoutLeader(FloorRobot robot, Mission mission) {
     if (robot.isStanding()) {
-      missions.applyEvent(mission.id(), new MissionEvent.PhaseEnded(robot.name(), Phase.TO_GOAL));
+      missions.phaseEnded(mission.id(), robot.name(), Phase.TO_GOAL, mission.stopNumber());
     } else if (robot.reported.drive() != 0) {
       robot.cancelDrive();
     }
@@ -258,8 +265,7 @@ final class DriveDispatcher {
               .carryingMission(robot.name())
               .map(mission -> mission.assignedRobots().stream().map(AssignedRobot::robot).toList())
               .orElse(List.of(robot.name()));
-      together.forEach(
-          r -> missions.applyEvent(task, new MissionEvent.PhaseEnded(r, goal.phase())));
+      together.forEach(r -> missions.phaseEnded(task, r, goal.phase(), goal.stop()));
     }
   }
 

@@ -14,15 +14,21 @@ import org.toqa.mission.Phase;
  * @param goal metres, map frame
  * @param heading how it shall face there, radians, counter-clockwise, map frame; null: any heading
  * @param load kilograms that it has on board
+ * @param stop the number, from 0, of the mission's stop that it is; 0 too where it is none
  */
 record DriveGoal(
-    @Nullable Long task, Phase phase, Vec2 goal, @Nullable Double heading, double load) {
+    @Nullable Long task,
+    Phase phase,
+    Vec2 goal,
+    @Nullable Double heading,
+    double load,
+    int stop) {
   static DriveGoal toParking(Vec2 parking) {
-    return new DriveGoal(null, Phase.NONE, parking, null, 0);
+    return new DriveGoal(null, Phase.NONE, parking, null, 0, 0);
   }
 
   static DriveGoal toCharger(Vec2 point) {
-    return new DriveGoal(null, Phase.NONE, point, null, 0);
+    return new DriveGoal(null, Phase.NONE, point, null, 0, 0);
   }
 
   /**
@@ -39,6 +45,13 @@ record DriveGoal(
           case TO_GOAL -> mission.destination().position();
           case HOME, NONE -> home.orElse(mission.task().goal().position());
         };
-    return new DriveGoal(mission.id(), phase, goal, null, phase == Phase.TO_GOAL ? share : 0);
+    boolean isWithLoad = phase == Phase.TO_GOAL;
+    return new DriveGoal(
+        mission.id(),
+        phase,
+        goal,
+        null,
+        isWithLoad ? share : 0,
+        isWithLoad ? mission.stopNumber() : 0);
   }
 }

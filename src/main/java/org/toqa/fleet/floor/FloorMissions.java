@@ -23,6 +23,7 @@ import org.toqa.mission.Mission;
 import org.toqa.mission.MissionCommand;
 import org.toqa.mission.MissionEvent;
 import org.toqa.mission.Objection;
+import org.toqa.mission.Phase;
 import org.toqa.mission.TaskPlace;
 import org.toqa.mission.TaskState;
 import org.toqa.persistence.StoreException;
@@ -129,7 +130,8 @@ final class FloorMissions {
     state.missions.setStored(mission);
     for (AssignedRobot c : mission.assignedRobots()) {
       FloorRobot robot = state.robots.get(c.robot());
-      if (c.isDriving() && robot != null && !mission.isStopping()) {
+      boolean isAtStop = !c.unassigned() && mission.waitingStop().isPresent();
+      if ((c.isDriving() || isAtStop) && robot != null && !mission.isStopping()) {
         robot.drive.setGoal(state.formations.driveGoal(mission, c.robot()));
       }
     }
@@ -148,6 +150,13 @@ final class FloorMissions {
   private boolean isFree(String robot) {
     FloorRobot known = state.robots.get(robot);
     return known != null && known.settings.isInService() && !known.charging.hasTurn();
+  }
+
+  /**
+   * @param stop where it has come, if that is where it drove with the load
+   */
+  void phaseEnded(long task, String robot, Phase phase, int stop) {
+    applyEvent(task, new MissionEvent.PhaseEnded(robot, phase, stop, state.clock.instant()));
   }
 
   void applyEvent(long task, MissionEvent event) {
@@ -314,6 +323,10 @@ final class FloorMissions {
   void checkRobot(FloorRobot robot) {
     Optional<Mission> mission = state.missions.missionOf(robot.name());
     if (mission.isEmpty()) {
+      return;
+    }
+    if (mission.get().isWaitOver(state.clock.instant())) {
+      applyEvent(mission.get(), new MissionEvent.WaitEnded(mission.get().progress().stop()));
       return;
     }
     robotWatch

@@ -146,8 +146,31 @@ final class FloorReporter {
             .anyMatch(stored -> stored.id() == mission.id() && stored.state() != mission.state());
   }
 
+  /** Where its robots wait at a stop, whom or what they wait for. */
+  private static Optional<Sentence> waitAtStop(Mission mission) {
+    return mission
+        .waitingStop()
+        .map(
+            stop -> {
+              Sentence robots = Sentence.names(mission.robots());
+              Sentence place = stop.place().sentence();
+              Duration wait = stop.waitTime();
+              if (wait == null) {
+                return Phrase.WAITS_FOR_PERSON_AT.with(robots, place);
+              }
+              Phrase phrase =
+                  stop.awaitsPerson()
+                      ? Phrase.WAITS_FOR_PERSON_OR_A_WHILE_AT
+                      : Phrase.WAITS_A_WHILE_AT;
+              return phrase.with(robots, place, Sentence.of(wait));
+            });
+  }
+
   private @Nullable Sentence waitReason(Mission mission) {
     List<Sentence> reasons = new ArrayList<>();
+    if (!mission.held() && mission.trouble() == null) {
+      waitAtStop(mission).ifPresent(reasons::add);
+    }
     for (AssignedRobot c : mission.assignedRobots()) {
       FloorRobot robot = state.robots.get(c.robot());
       if (c.unassigned() || robot == null) {

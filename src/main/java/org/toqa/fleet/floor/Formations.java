@@ -95,7 +95,7 @@ final class Formations {
       return goal;
     }
     Pose place = formation.get().pose(index(mission, robot));
-    return new DriveGoal(goal.task(), Phase.TO_OBJECT, place.position(), place.theta(), 0);
+    return new DriveGoal(goal.task(), Phase.TO_OBJECT, place.position(), place.theta(), 0, 0);
   }
 
   /** Kilograms that the robot has of the mission's load. */

@@ -296,8 +296,8 @@ final class RobotEventHandler {
     if (mission.isPresent()
         && phase.isPresent()
         && (phase.get() == Phase.HOME || state.formations.isAtGoal(mission.get(), robot))) {
-      missions.applyEvent(
-          mission.get().id(), new MissionEvent.PhaseEnded(robot.name(), phase.get()));
+      missions.phaseEnded(
+          mission.get().id(), robot.name(), phase.get(), mission.get().stopNumber());
     } // else its drive was changed meanwhile, or the task has ended
     // written in order: acknowledged only when what follows from the flag is safe
     state.writer.write(() -> {}, () -> robot.agent.tell(new RobotMessage.Acknowledge(end.drive())));

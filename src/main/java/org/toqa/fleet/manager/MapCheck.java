@@ -129,7 +129,7 @@ record MapCheck(
   }
 
   private static void addTask(TransportTask task, OccupancyGrid grid, List<MapProblem> problems) {
-    Stream.of(task.start(), task.goal())
+    task.placesFrom(0).stream()
         .filter(place -> PlaceCheck.objection(grid, Phrase.PLACE, place).isPresent())
         .findFirst()
         .ifPresent(
@@ -148,7 +148,7 @@ record MapCheck(
 
   private static void addSchedule(
       Schedule schedule, FloorDrawing drawing, OccupancyGrid grid, List<MapProblem> problems) {
-    for (Where where : List.of(schedule.order().start(), schedule.order().goal())) {
+    for (Where where : schedule.order().places()) {
       switch (where) {
         case Where.Station(String name) -> {
           if (drawing.stations().stream().noneMatch(s -> s.name().equals(name))) {

@@ -3,6 +3,7 @@ package org.toqa.web.api;
 import jakarta.servlet.http.HttpServletRequest;
 import java.io.IOException;
 import java.time.DateTimeException;
+import java.time.Duration;
 import java.time.Instant;
 import java.time.OffsetDateTime;
 import java.util.ArrayList;
@@ -11,6 +12,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 import org.jspecify.annotations.Nullable;
+import org.toqa.fleet.TaskOrder.StopOrder;
 import org.toqa.fleet.TaskOrder.Where;
 import org.toqa.geometry.Vec2;
 import org.toqa.mission.TransportTask.LoadSize;
@@ -271,6 +273,19 @@ final class JsonFields implements Fields {
       places.add(place(at, new JsonFields(place, at + ".", texts, errors)));
     }
     return places;
+  }
+
+  @Override
+  public List<StopOrder> stops(String name, int max) {
+    List<StopOrder> stops = new ArrayList<>();
+    for (JsonFields stop : objects(name, max)) {
+      boolean awaitsPerson = stop.flag("waitForPerson");
+      Duration wait =
+          stop.rules().stopWait(stop.path("waitSeconds"), stop.number("waitSeconds"));
+      stops.add(
+          new StopOrder(place(name + "." + stops.size(), stop), awaitsPerson, wait));
+    }
+    return stops;
   }
 
   @Override

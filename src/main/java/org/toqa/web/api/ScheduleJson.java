@@ -11,6 +11,7 @@ import org.jspecify.annotations.Nullable;
 import org.toqa.fleet.Recurrence;
 import org.toqa.fleet.Schedule;
 import org.toqa.fleet.TaskOrder;
+import org.toqa.fleet.TaskOrder.StopOrder;
 import org.toqa.fleet.TaskOrder.Where;
 import org.toqa.mission.TransportTask.LoadSize;
 
@@ -46,6 +47,26 @@ record ScheduleJson(
     }
   }
 
+  /** A stop as it was ordered. */
+  @JsonInclude(JsonInclude.Include.NON_NULL)
+  record StopJson(
+      @Nullable String station,
+      @Nullable Double x,
+      @Nullable Double y,
+      boolean waitForPerson,
+      @Nullable Long waitSeconds) {
+    static StopJson of(StopOrder stop) {
+      WhereJson where = WhereJson.of(stop.where());
+      Duration wait = stop.waitTime();
+      return new StopJson(
+          where.station(),
+          where.x(),
+          where.y(),
+          stop.awaitsPerson(),
+          wait == null ? null : Long.valueOf(wait.toSeconds()));
+    }
+  }
+
   record OrderJson(
       String name,
       double load,
@@ -54,7 +75,8 @@ record ScheduleJson(
       @Nullable String floor,
       int priority,
       @Nullable LoadSize size,
-      List<String> onlyRobots) {
+      List<String> onlyRobots,
+      List<StopJson> stops) {
     static OrderJson of(TaskOrder order) {
       return new OrderJson(
           order.name(),
@@ -64,7 +86,8 @@ record ScheduleJson(
           order.floor(),
           order.priority(),
           order.size(),
-          order.onlyRobots());
+          order.onlyRobots(),
+          order.stops().stream().map(StopJson::of).toList());
     }
   }
 

@@ -1,6 +1,7 @@
 package org.toqa.web.api;
 
 import com.fasterxml.jackson.annotation.JsonInclude;
+import java.time.Duration;
 import java.time.Instant;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
@@ -9,6 +10,7 @@ import org.toqa.fleet.NegotiationEntry;
 import org.toqa.fleet.TaskView;
 import org.toqa.mission.OrderPart;
 import org.toqa.mission.Question;
+import org.toqa.mission.StopState;
 import org.toqa.mission.TaskPlace;
 import org.toqa.mission.TaskState;
 import org.toqa.mission.TransportTask;
@@ -21,6 +23,7 @@ import org.toqa.wording.Sentence;
  * @param loadAt where the load is if that is neither its start nor its goal
  * @param blocked whether it waits for what will not come by itself
  * @param order which part of an order it is
+ * @param stops all of its way, the start first and the goal last
  * @param onlyRobots those that may carry it; empty: whichever there are
  * @param followed whether the caller follows it; left out of lists and of the live stream
  * @param history left out there too
@@ -49,6 +52,7 @@ public record TaskJson(
     @Nullable Question needs,
     @Nullable OrderPartJson order,
     List<String> onlyRobots,
+    List<StopJson> stops,
     @JsonInclude(JsonInclude.Include.NON_NULL) @Nullable Boolean followed,
     @JsonInclude(JsonInclude.Include.NON_NULL) @Nullable List<EventJson> history,
     @JsonInclude(JsonInclude.Include.NON_NULL) @Nullable List<LineJson> negotiation) {
@@ -57,6 +61,32 @@ public record TaskJson(
   record PlaceJson(double x, double y, @Nullable String station) {
     static PlaceJson of(TaskPlace place) {
       return new PlaceJson(place.position().x(), place.position().y(), place.station());
+    }
+  }
+
+  /**
+   * @param waitSeconds after its robots have come; null: nothing but a person is waited for there
+   * @param since when they came, where they wait there; else null
+   */
+  record StopJson(
+      double x,
+      double y,
+      @Nullable String station,
+      boolean waitForPerson,
+      @Nullable Long waitSeconds,
+      StopState state,
+      @Nullable Instant since) {
+    static StopJson of(TaskView.StopView view) {
+      TaskPlace place = view.stop().place();
+      Duration wait = view.stop().waitTime();
+      return new StopJson(
+          place.position().x(),
+          place.position().y(),
+          place.station(),
+          view.stop().awaitsPerson(),
+          wait == null ? null : Long.valueOf(wait.toSeconds()),
+          view.state(),
+          view.since());
     }
   }
 
@@ -129,6 +159,7 @@ public record TaskJson(
         view.needs(),
         OrderPartJson.of(task.part()),
         task.onlyRobots(),
+        view.stops().stream().map(StopJson::of).toList(),
         followed,
         history,
         negotiation);

@@ -94,6 +94,19 @@ public final class TaskResource extends ApiHandler {
                 (reader, fields) -> reader.readPriority(user, fields.number("priority"), null)));
   }
 
+  /** Whoever is at the stop says it, whose the task may be. */
+  public static void goOn(HttpServletRequest request, HttpServletResponse response)
+      throws IOException {
+    change(
+        request,
+        response,
+        task(request),
+        user ->
+            JsonFields.hasBody(request)
+                ? read(request, (reader, fields) -> reader.readGoOn(user, fields.number("stop")))
+                : new MissionEvent.GoOn(user.name(), null));
+  }
+
   /** A body is needed only where the load's place must be said. */
   public static void cancel(HttpServletRequest request, HttpServletResponse response)
       throws IOException {
@@ -137,7 +150,12 @@ public final class TaskResource extends ApiHandler {
   private static void change(
       HttpServletRequest request, HttpServletResponse response, BodyReader body)
       throws IOException {
-    TaskView task = changeableTask(request);
+    change(request, response, changeableTask(request), body);
+  }
+
+  private static void change(
+      HttpServletRequest request, HttpServletResponse response, TaskView task, BodyReader body)
+      throws IOException {
     Caller caller = Caller.of(request);
     MissionEvent.OperatorCommand command = body.read(caller);
     send(

@@ -3,6 +3,7 @@ package org.toqa.web.input;
 import java.time.Instant;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
+import org.toqa.fleet.TaskOrder.StopOrder;
 import org.toqa.fleet.TaskOrder.Where;
 import org.toqa.mission.TransportTask.LoadSize;
 import org.toqa.web.Texts;
@@ -40,6 +41,21 @@ public interface Fields {
    */
   default List<Where> places(String name, int max) {
     return List.of();
+  }
+
+  /**
+   * Stops of a task, in their order, with what is waited for there; empty where nobody wrote any,
+   * or this kind of input has none.
+   *
+   * @param max a longer list gets a sentence
+   */
+  default List<StopOrder> stops(String name, int max) {
+    return List.of();
+  }
+
+  /** What is waited for at a place that this kind of input names by itself. */
+  default StopOrder stopAt(String name, Where where) {
+    return new StopOrder(where, false, null);
   }
 
   /** Both sides, or null where neither is given. */

@@ -1,6 +1,7 @@
 package org.toqa.web.input;
 
 import java.time.DateTimeException;
+import java.time.Duration;
 import java.time.Instant;
 import java.time.OffsetDateTime;
 import java.util.EnumSet;
@@ -39,6 +40,10 @@ public final class InputRules {
   private static final int MAX_TOKEN_NAME_LENGTH = 64;
   private static final int MAX_TOKEN_DAYS = 365;
   private static final int MAX_PORT = 65_535;
+
+  /** Seconds. */
+  private static final int MAX_STOP_WAIT = 86_400;
+
   static final int MAX_PRIORITY = 100;
 
   /** Kilograms. */
@@ -206,6 +211,18 @@ public final class InputRules {
       refuse(field, "error.robotName");
     }
     return name;
+  }
+
+  /** How long robots wait at a stop, seconds; null where nothing is given. */
+  public @Nullable Duration stopWait(String field, @Nullable Double seconds) {
+    if (seconds == null) {
+      return null;
+    }
+    if (seconds != Math.rint(seconds) || !(seconds >= 1 && seconds <= MAX_STOP_WAIT)) {
+      refuse(field, "error.stopWait", MAX_STOP_WAIT);
+      return null;
+    }
+    return Duration.ofSeconds(seconds.longValue());
   }
 
   /** Names of robots, each once; empty where none are given. */

@@ -1,6 +1,7 @@
 package org.toqa.web.input;
 
 import org.jspecify.annotations.Nullable;
+import org.toqa.fleet.TaskOrder;
 import org.toqa.fleet.TaskOrder.Where;
 import org.toqa.fleet.TaskView;
 import org.toqa.geometry.Vec2;
@@ -81,6 +82,19 @@ public final class TaskCommandReader {
     Sentence known = Sentence.names(floor.stations().stream().map(Place::name).toList());
     errors.add("place", texts.text(Phrase.NO_SUCH_STATION.with(name, known)));
     return new TaskPlace(Vec2.ZERO, null);
+  }
+
+  /**
+   * It means something only when no error was filed.
+   *
+   * @param stop the number, from 1, of the stop that the caller has seen; null: he does not say
+   */
+  public MissionEvent.GoOn readGoOn(Caller caller, @Nullable Double stop) {
+    if (stop != null && (stop != Math.rint(stop) || !(stop >= 1 && stop <= TaskOrder.MAX_STOPS))) {
+      errors.add("stop", texts.get("error.stop", TaskOrder.MAX_STOPS));
+      return new MissionEvent.GoOn(caller.name(), null);
+    }
+    return new MissionEvent.GoOn(caller.name(), stop == null ? null : stop.intValue() - 1);
   }
 
   /** It means something only when no error was filed. */

@@ -11,6 +11,7 @@ import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 import org.toqa.fleet.PartsOrder;
 import org.toqa.fleet.TaskOrder;
+import org.toqa.fleet.TaskOrder.StopOrder;
 import org.toqa.fleet.TaskOrder.Where;
 import org.toqa.mission.OrderPart;
 
@@ -71,18 +72,24 @@ public final class TaskOrderReader {
             () -> fields.place("start"),
             () -> fields.place("goal"),
             deadline -> fields.rules().futureDeadline(fields.path("deadline"), deadline, now));
-    List<Where> further = fields.places("stop", PartsOrder.MAX_STOPS - 2);
+    List<StopOrder> further = fields.stops("stop", PartsOrder.MAX_STOPS - 2);
+    List<StopOrder> way =
+        Stream.concat(
+                Stream.of(
+                    fields.stopAt("start", order.start()), fields.stopAt("goal", order.goal())),
+                further.stream())
+            .toList();
+    boolean hasWaits = way.stream().anyMatch(StopOrder::hasWait);
     PartsOrder pieces = pieces(fields, order);
-    if (further.isEmpty()) {
+    if (further.isEmpty() && !hasWaits) {
       return pieces;
     }
     if (pieces.tasks().size() > 1) {
       fields.errors().add("pieces", fields.texts().get("error.piecesOrStops"));
     }
-    return legs(
-        fields,
-        order,
-        Stream.concat(Stream.of(order.start(), order.goal()), further.stream()).toList());
+    return hasWaits || "one".equals(fields.text("carriedBy"))
+        ? new PartsOrder(order.name(), OrderPart.Kind.STOPS, List.of(order.along(way)))
+        : legs(fields, order, way.stream().map(StopOrder::where).toList());
   }
 
   private static PartsOrder pieces(Fields fields, TaskOrder piece) {
@@ -105,10 +112,31 @@ public final class TaskOrderReader {
   }
 
   private static TaskOrder read(Fields fields, UnaryOperator<@Nullable Instant> deadlineRule) {
+    if (fields.has("stops")) {
+      return readMission(fields, deadlineRule);
+    }
     TaskOrder order =
         read(fields, () -> fields.place("start"), () -> fields.place("goal"), deadlineRule);
     fields.refuseUnknown();
     return order;
+  }
+
+  /** One robot's way along stops, instead of from start to goal. */
+  private static TaskOrder readMission(
+      Fields fields, UnaryOperator<@Nullable Instant> deadlineRule) {
+    List<StopOrder> stops = fields.stops("stops", TaskOrder.MAX_STOPS);
+    if (stops.size() < 2) {
+      fields.errors().add(fields.path("stops"), fields.texts().get("error.stops.few"));
+    }
+    TaskOrder order = read(fields, () -> NOWHERE, () -> NOWHERE, deadlineRule);
+    for (String end : List.of("start", "goal")) {
+      if (fields.has(end)) {
+        fields.place(end); // it is known, and wrong here
+        fields.errors().add(fields.path(end), fields.texts().get("error.startOrStops"));
+      }
+    }
+    fields.refuseUnknown();
+    return stops.isEmpty() ? order : order.along(stops);
   }
 
   /** The sentences are in the order of the columns of a table. */
@@ -127,6 +155,7 @@ public final class TaskOrderReader {
         rules.priority(fields.path("priority"), fields.number("priority")),
         deadlineRule.apply(fields.moment("deadline", "error.deadline")),
         fields.size("size"),
-        rules.robotNames(fields.path("onlyRobots"), fields.choices("onlyRobots")));
+        rules.robotNames(fields.path("onlyRobots"), fields.choices("onlyRobots")),
+        List.of());
   }
 }

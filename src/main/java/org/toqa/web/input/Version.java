@@ -38,7 +38,8 @@ public record Version(String text) {
         t.priority(),
         t.deadline(),
         t.size(),
-        t.onlyRobots());
+        t.onlyRobots(),
+        t.stops());
   }
 
   public static Version of(TaskView task) {

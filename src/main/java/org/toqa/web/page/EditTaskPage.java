@@ -35,7 +35,9 @@ public final class EditTaskPage extends PageHandler {
   public static void show(HttpServletRequest request, HttpServletResponse response)
       throws ServletException, IOException {
     Optional<TaskView> task = TaskPage.changeableTask(request, response);
-    if (task.isPresent()) {
+    if (task.isPresent() && !task.get().task().stops().isEmpty()) {
+      redirect(request, response, "/tasks/" + task.get().id()); // the form has no stops
+    } else if (task.isPresent()) {
       HttpServletRequest filled =
           new Filled(request, entries(task.get().task()), task.get().task().onlyRobots());
       filled.setAttribute("deadlineInUtc", filled.getParameter("deadline"));
@@ -48,6 +50,10 @@ public final class EditTaskPage extends PageHandler {
       throws ServletException, IOException {
     Optional<TaskView> task = TaskPage.changeableTask(request, response);
     if (task.isEmpty()) {
+      return;
+    }
+    if (!task.get().task().stops().isEmpty()) {
+      redirect(request, response, "/tasks/" + task.get().id()); // the form has no stops
       return;
     }
     addAttributes(request, task.get());

@@ -7,7 +7,9 @@ import java.time.LocalDateTime;
 import java.time.ZoneId;
 import java.util.List;
 import java.util.Optional;
+import java.util.stream.IntStream;
 import org.jspecify.annotations.Nullable;
+import org.toqa.fleet.TaskOrder.StopOrder;
 import org.toqa.fleet.TaskOrder.Where;
 import org.toqa.geometry.Vec2;
 import org.toqa.mission.TransportTask.LoadSize;
@@ -104,6 +106,43 @@ final class FormFields implements Fields {
       return List.of();
     }
     return stations;
+  }
+
+  /** Stations with what is chosen beside each of them; without a station it counts for nothing. */
+  @Override
+  public List<StopOrder> stops(String name, int max) {
+    List<Where> places = places(name, max);
+    if (places.isEmpty()) {
+      return List.of();
+    }
+    List<String> stations = choices(name + "Station");
+    List<String> waits = choices(name + "Wait");
+    return IntStream.range(0, stations.size())
+        .filter(i -> !stations.get(i).isBlank())
+        .mapToObj(
+            i ->
+                stop(
+                    name,
+                    new Where.Station(stations.get(i)),
+                    i < waits.size() ? waits.get(i) : null))
+        .toList();
+  }
+
+  @Override
+  public StopOrder stopAt(String name, Where where) {
+    return stop(name, where, text(name + "Wait"));
+  }
+
+  /**
+   * @param wait {@code person}, a number of seconds, or nothing
+   */
+  private StopOrder stop(String field, Where where, @Nullable String wait) {
+    boolean awaitsPerson = "person".equals(wait);
+    if (wait == null || wait.isBlank() || awaitsPerson) {
+      return new StopOrder(where, awaitsPerson, null);
+    }
+    double seconds = Digits.enteredNumber(wait).orElse(Double.NaN);
+    return new StopOrder(where, false, rules().stopWait(field, seconds));
   }
 
   @Override

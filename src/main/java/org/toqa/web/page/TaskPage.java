@@ -19,6 +19,7 @@ import org.toqa.web.RequestPath;
 import org.toqa.web.Tasks;
 import org.toqa.web.Texts;
 import org.toqa.web.access.Caller;
+import org.toqa.web.access.Permission;
 import org.toqa.web.input.FieldErrors;
 import org.toqa.web.input.TaskCommandReader;
 import org.toqa.web.input.Version;
@@ -77,6 +78,21 @@ public final class TaskPage extends PageHandler {
         request,
         response,
         (reader, fields, user, task) -> reader.readCancel(user, fields.text("load")));
+  }
+
+  /** Whoever is at the stop says it, whose the task may be. */
+  public static void goOn(HttpServletRequest request, HttpServletResponse response)
+      throws ServletException, IOException {
+    Optional<TaskView> task = task(request);
+    if (task.isEmpty()) {
+      sendNotFound(request, response, "problem.noSuchTask");
+      return;
+    }
+    change(
+        request,
+        response,
+        task.get(),
+        (reader, fields, user, seen) -> reader.readGoOn(user, fields.number("stop")));
   }
 
   public static void answer(HttpServletRequest request, HttpServletResponse response)
@@ -181,12 +197,17 @@ public final class TaskPage extends PageHandler {
       HttpServletRequest request, HttpServletResponse response, FormReader form)
       throws ServletException, IOException {
     Optional<TaskView> task = changeableTask(request, response);
-    if (task.isEmpty()) {
-      return;
+    if (task.isPresent()) {
+      change(request, response, task.get(), form);
     }
-    FieldErrors differences = differences(task.get(), request);
+  }
+
+  private static void change(
+      HttpServletRequest request, HttpServletResponse response, TaskView task, FormReader form)
+      throws ServletException, IOException {
+    FieldErrors differences = differences(task, request);
     if (!differences.isEmpty()) {
-      addAttributes(request, task.get());
+      addAttributes(request, task);
       showConflict(request, response, "task", differences);
       return;
     }
@@ -196,8 +217,8 @@ public final class TaskPage extends PageHandler {
             new TaskCommandReader(Texts.of(request), errors),
             new FormFields(request, errors),
             Caller.of(request),
-            task.get());
-    long id = task.get().id();
+            task);
+    long id = task.id();
     Optional<TaskView> changed =
         errors.isEmpty()
             ? acceptedValue(
@@ -208,7 +229,7 @@ public final class TaskPage extends PageHandler {
     if (changed.isPresent()) {
       redirect(request, response, "/tasks/" + id);
     } else {
-      addAttributes(request, task(request).orElse(task.get()));
+      addAttributes(request, task(request).orElse(task));
       showAgain(request, response, "task", errors);
     }
   }
@@ -236,6 +257,7 @@ public final class TaskPage extends PageHandler {
     request.setAttribute("isStopped", order != null && order.isStopped(task));
     request.setAttribute("stations", floorOf(request, task).stations());
     request.setAttribute("version", Version.of(task));
+    request.setAttribute("mayGoOn", Caller.of(request).has(Permission.CLERK));
     request.setAttribute("mayChange", TaskCommandReader.canChange(Caller.of(request), task));
     request.setAttribute(
         "followed",

@@ -65,6 +65,32 @@ class ApiTasksTest extends ApiTestServer {
   }
 
   @Test
+  void aTaskOfSeveralStopsSaysHowFarItIs() {
+    String stops =
+        "[{\"station\":\"Dock A\"},{\"x\":2,\"y\":1,\"waitForPerson\":true},"
+            + "{\"station\":\"Shelf 3\",\"waitSeconds\":90}]";
+    HttpResponse<String> answer =
+        post(token, "api/v1/tasks", "{\"name\":\"tour\",\"load\":2,\"stops\":" + stops + "}");
+
+    assertEquals(201, answer.statusCode(), answer.body());
+    JsonNode task = JSON.readTree(answer.body());
+    assertEquals("Dock A", task.get("start").get("station").stringValue());
+    assertEquals("Shelf 3", task.get("goal").get("station").stringValue());
+    assertEquals(3, task.get("stops").size());
+    assertTrue(task.get("stops").get(1).get("waitForPerson").booleanValue());
+    assertEquals(90, task.get("stops").get(2).get("waitSeconds").asInt());
+    long id = task.get("id").asLong();
+    server.fleet().changeTask(id, TaskState.CARRYING, List.of("r1"), "r1 carries it.");
+    assertEquals(
+        List.of("PASSED", "NEXT", "AHEAD"),
+        JSON.readTree(get("api/v1/tasks/" + id).body()).get("stops").values().stream()
+            .map(stop -> stop.get("state").stringValue())
+            .toList());
+    assertEquals(409, post(token, "api/v1/tasks/" + id + "/go-on", "{\"stop\":2}").statusCode());
+    assertEquals(422, post(token, "api/v1/tasks/" + id + "/go-on", "{\"stop\":0}").statusCode());
+  }
+
+  @Test
   void aTaskHasAllThatIsPromised() {
     long id = JSON.readTree(post(token, "api/v1/tasks", GOOD_TASK).body()).get("id").asLong();
 
@@ -113,6 +139,9 @@ class ApiTasksTest extends ApiTestServer {
           {"name":"x","load":2,"start":{"station":"Dock A","z":1},"goal":{"station":"Shelf 3"}} | 422 | Unknown field “start.z”. Allowed: station.
           {"name":"x","load":2,"start":{"station":"Dock A"},"goal":{"station":"Shelf 3"},"onlyRobots":"r1"} | 422 | “onlyRobots” must be a list of texts in brackets.
           {"name":"x","load":2,"start":{"station":"Dock A"},"goal":{"station":"Shelf 3"},"onlyRobots":["r 1"]} | 422 | Name robots as the list of robots has them, such as r1 and r2.
+          {"name":"x","load":2,"start":{"station":"Dock A"},"stops":[{"station":"Dock A"},{"station":"Shelf 3"}]} | 422 | Either start and goal, or stops. The first stop is the start, the last one the goal.
+          {"name":"x","load":2,"stops":[{"station":"Dock A"}]} | 422 | At least two stops, the start and a goal.
+          {"name":"x","load":2,"stops":[{"station":"Dock A"},{"station":"Shelf 3","waitSeconds":0}]} | 422 | Robots wait a whole number of seconds, from 1 to 86400.
           {"name":"x","load":0,"start":{"station":"Dock A"},"goal":{"station":"Shelf 3"}} | 422 | The weight must be above 0 and at most 100,000 kg.
           {"name":"x","load":1e999,"start":{"station":"Dock A"},"goal":{"station":"Shelf 3"}} | 422 | The weight must be above 0 and at most 100,000 kg.
           {"name":"x","load":2,"start":{"x":1e300,"y":1},"goal":{"station":"Shelf 3"}} | 422 | Coordinates must lie within 1,000,000 m of the map’s origin.

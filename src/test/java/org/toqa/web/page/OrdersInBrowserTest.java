@@ -149,6 +149,31 @@ class OrdersInBrowserTest extends PagesInBrowser {
     assertFits(page, "order-ar", DESK, PHONE);
   }
 
+  @Test
+  void aTourIsOrderedFollowedAndLetGoOnAtItsStop() {
+    Page page = loggedIn(WebTestServer.CLERK, DESK, "tasks/new");
+    fillTask(page);
+    page.locator("details.stops summary").click();
+    page.locator("select[name=goalWait]").selectOption("person");
+    page.locator("select[name=stopStation]").first().selectOption("Dock A");
+    page.locator("select[name=stopWait]").first().selectOption("300");
+    assertFits(page, "new-tour", DESK, PHONE);
+    click(button(page, "Create task"));
+    Locator stops = page.locator("ol.stops li");
+    assertThat(stops).hasCount(3);
+    assertThat(stops.nth(1)).containsText("waits until somebody says “Go on”");
+    assertThat(stops.nth(2)).containsText("waits 300 s");
+
+    server.fleet().waitAtStop(1, 1);
+
+    assertThat(stops.nth(1)).containsText("waits here");
+    assertFits(page, "tour", DESK, PHONE);
+    click(button(page, "Go on"));
+    assertThat(stops.nth(1)).containsText("passed");
+    assertThat(stops.nth(2)).containsText("on the way there");
+    assertThat(button(page, "Go on")).hasCount(0);
+  }
+
   private static void fillTask(Page page) {
     page.locator("#name").fill("Bolts");
     page.locator("#load").fill("2");

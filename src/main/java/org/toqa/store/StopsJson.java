@@ -1,0 +1,106 @@
+package org.toqa.store;
+
+import java.time.Duration;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Objects;
+import org.jspecify.annotations.Nullable;
+import org.toqa.fleet.TaskOrder.StopOrder;
+import org.toqa.fleet.TaskOrder.Where;
+import org.toqa.geometry.Vec2;
+import org.toqa.mission.Stop;
+import org.toqa.mission.TaskPlace;
+import tools.jackson.databind.json.JsonMapper;
+
+/** The stops of a task in one column; null where it goes from start to goal without a wait. */
+final class StopsJson {
+  private static final JsonMapper MAPPER = JsonMapper.builder().build();
+
+  private StopsJson() {}
+
+  /**
+   * @param x metres, map frame; null where the station alone was given
+   * @param y like {@code x}
+   * @param station null: it was given by coordinates
+   * @param person whether a person is waited for
+   * @param seconds that are waited; null: none
+   */
+  private record Entry(
+      @Nullable Double x,
+      @Nullable Double y,
+      @Nullable String station,
+      boolean person,
+      @Nullable Long seconds) {
+
+    Vec2 position() {
+      return new Vec2(Objects.requireNonNull(x), Objects.requireNonNull(y));
+    }
+
+    @Nullable Duration waitTime() {
+      return seconds == null ? null : Duration.ofSeconds(seconds);
+    }
+  }
+
+  private static @Nullable Long seconds(@Nullable Duration wait) {
+    return wait == null ? null : Long.valueOf(wait.toSeconds());
+  }
+
+  static @Nullable String write(List<Stop> stops) {
+    return json(
+        stops.stream()
+            .map(
+                stop ->
+                    new Entry(
+                        stop.place().position().x(),
+                        stop.place().position().y(),
+                        stop.place().station(),
+                        stop.awaitsPerson(),
+                        seconds(stop.waitTime())))
+            .toList());
+  }
+
+  static @Nullable String writeOrder(List<StopOrder> stops) {
+    return json(stops.stream().map(StopsJson::entry).toList());
+  }
+
+  private static Entry entry(StopOrder stop) {
+    boolean person = stop.awaitsPerson();
+    Long seconds = seconds(stop.waitTime());
+    return switch (stop.where()) {
+      case Where.Station(String name) -> new Entry(null, null, name, person, seconds);
+      case Where.Point(Vec2 at) -> new Entry(at.x(), at.y(), null, person, seconds);
+    };
+  }
+
+  private static @Nullable String json(List<Entry> entries) {
+    return entries.isEmpty() ? null : MAPPER.writeValueAsString(entries);
+  }
+
+  static List<Stop> read(@Nullable String json) {
+    return entries(json).stream()
+        .map(
+            entry ->
+                new Stop(
+                    new TaskPlace(entry.position(), entry.station()),
+                    entry.person(),
+                    entry.waitTime()))
+        .toList();
+  }
+
+  static List<StopOrder> readOrder(@Nullable String json) {
+    return entries(json).stream()
+        .map(
+            entry ->
+                new StopOrder(
+                    entry.station() == null
+                        ? new Where.Point(entry.position())
+                        : new Where.Station(entry.station()),
+                    entry.person(),
+                    entry.waitTime()))
+        .toList();
+  }
+
+  private static List<Entry> entries(@Nullable String json) {
+    return json == null ? List.of() : Arrays.asList(MAPPER.readValue(json, Entry[].class));
+  }
+}

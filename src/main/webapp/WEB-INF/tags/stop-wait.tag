@@ -1,0 +1,7 @@
+<%@ tag pageEncoding="UTF-8" %>
+<%@ attribute name="stop" required="true" type="org.toqa.mission.Stop" %>
+<%@ taglib prefix="c" uri="jakarta.tags.core" %>
+<%@ taglib prefix="fmt" uri="jakarta.tags.fmt" %>
+<%@ taglib prefix="t" tagdir="/WEB-INF/tags" %>
+<c:if test="${stop.awaitsPerson()}"><span class="faint"><fmt:message key="task.stop.person"/></span></c:if>
+<c:if test="${not empty stop.waitTime()}"><fmt:message key="task.stop.time" var="waits"><fmt:param value="${stop.waitTime().toSeconds()}"/></fmt:message><span class="faint"><c:out value="${waits}"/></span></c:if>

@@ -1,0 +1,115 @@
+package org.toqa.fleet;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertInstanceOf;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.time.Duration;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.toqa.fleet.TaskOrder.StopOrder;
+import org.toqa.fleet.TaskOrder.Where;
+import org.toqa.mission.LoadChoice;
+import org.toqa.mission.MissionEvent;
+import org.toqa.mission.StopState;
+import org.toqa.mission.TaskState;
+
+/** Tasks along several stops, at which robots wait for a person or a time. */
+class FleetStopsTest extends HallFleetTest {
+  private static final Where WEST_STATION = new Where.Station("West");
+  private static final Where EAST_STATION = new Where.Station("East");
+
+  @Test
+  void aTourGoesOnFromEveryStopAlsoAfterRestarts() throws Exception {
+    long task =
+        submit(
+            tour(
+                stop(WEST_STATION),
+                new StopOrder(IN_THE_MIDDLE, true, null),
+                new StopOrder(EAST_STATION, false, Duration.ofSeconds(1)),
+                stop(WEST_STATION)));
+    until(view -> task(view, task).isWaitingAtStop());
+    stage.restart();
+    until(view -> robot(view, "r1").state() == RobotState.IDLE);
+    TaskView waiting = task(stage.fleet.snapshots().latest(), task);
+    assertEquals(
+        "r1 waits at (6.50, 2.50) until somebody says “Go on”.",
+        String.valueOf(waiting.waitingFor()));
+    assertEquals(
+        List.of(StopState.PASSED, StopState.HERE, StopState.AHEAD, StopState.AHEAD),
+        waiting.stops().stream().map(TaskView.StopView::state).toList());
+    assertInstanceOf(
+        Answer.Conflict.class,
+        answer(stage.fleet.commandTask(task, new MissionEvent.GoOn("Clara", 0))));
+
+    accepted(stage.fleet.commandTask(task, new MissionEvent.GoOn("Clara", 1)));
+    stage.restart(); // right after the answer
+    until(view -> task(view, task).progress().stop() == 3);
+    stage.restart();
+    until(view -> task(view, task).state() == TaskState.DONE);
+
+    assertEquals(
+        List.of(
+            "Waits at (6.50, 2.50)",
+            "Clara let the robot go on from (6.50, 2.50)",
+            "Leaves (6.50, 2.50), stop 2 of 4",
+            "Waits at East",
+            "The time to wait at East is over",
+            "Leaves East, stop 3 of 4",
+            "Delivered at West"),
+        stage.store.history(task).stream()
+            .filter(
+                event ->
+                    List.of("task.at-stop", "task.went-on", "task.delivered")
+                        .contains(event.kind()))
+            .map(EventRecord::text)
+            .toList());
+    assertEquals(1, history("task.delivered").size());
+  }
+
+  @Test
+  void whoWaitsAtAStopCanBeHeldAndCancelled() throws Exception {
+    long task = submit(tour(stop(WEST_STATION), new StopOrder(EAST_STATION, true, null)));
+    until(view -> task(view, task).isWaitingAtStop());
+    accepted(stage.fleet.commandTask(task, new MissionEvent.Hold("Clara")));
+    assertInstanceOf(
+        Answer.Conflict.class,
+        answer(stage.fleet.commandTask(task, new MissionEvent.GoOn("Clara", null))));
+    accepted(stage.fleet.commandTask(task, new MissionEvent.Resume("Clara")));
+
+    accepted(stage.fleet.commandTask(task, new MissionEvent.Cancel("Clara", LoadChoice.BACK)));
+    until(view -> task(view, task).state() == TaskState.CANCELLED);
+
+    assertEquals(List.of(), stage.fleet.snapshots().latest().floors().getFirst().leftLoads());
+  }
+
+  @Test
+  void stopsThatCannotBeAreRefusedEachAtItsPlace() throws Exception {
+    assertEquals(
+        "stops.1",
+        refusal(tour(stop(WEST_STATION), stop(new Where.Station("Moon")), stop(EAST_STATION))));
+    assertEquals(
+        "stops.2", refusal(tour(stop(WEST_STATION), stop(EAST_STATION), stop(EAST_STATION))));
+    reopenWith("r2", EAST, "P2");
+    until(view -> view.robots().stream().allMatch(r -> r.state() == RobotState.IDLE));
+    double most = robot(stage.fleet.snapshots().latest(), "r1").maxLoad();
+    TaskOrder heavy = orderForSeveral(1.5 * most);
+    assertEquals(
+        "load",
+        refusal(heavy.along(List.of(stop(heavy.start()), stop(IN_THE_MIDDLE), stop(heavy.goal())))));
+  }
+
+  private static StopOrder stop(Where where) {
+    return new StopOrder(where, false, null);
+  }
+
+  private static TaskOrder tour(StopOrder... stops) {
+    return order(1).along(List.of(stops));
+  }
+
+  private String refusal(TaskOrder order) throws Exception {
+    Answer<TaskView> answer = answer(stage.fleet.submit(order, "Clara"));
+    assertTrue(answer instanceof Answer.Rejected<TaskView>, answer::toString);
+    return String.valueOf(((Answer.Rejected<TaskView>) answer).field());
+  }
+}
