@@ -72,8 +72,7 @@ public final class ArmControl {
     boolean isHolding = reading.isHolding();
     boolean isPick = action == ArmAction.PICK;
     if (isHolding == isPick && !isRepeated) {
-      outcome =
-          new ArmOutcome(isPick ? ArmFailure.HAND_FULL : ArmFailure.NOTHING_HELD, null);
+      outcome = new ArmOutcome(isPick ? ArmFailure.HAND_FULL : ArmFailure.NOTHING_HELD, null);
       return;
     }
     steps.addAll(action.steps());

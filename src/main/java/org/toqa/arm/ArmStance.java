@@ -32,8 +32,7 @@ public sealed interface ArmStance {
     Reach.@Nullable Outside nearest = null;
     for (int k = 0; k < 360; k++) { // 0, 1, -1, 2, -2 to 180 degrees from straight ahead
       double aside = Math.toRadians(k % 2 == 0 ? -(k / 2) : k / 2 + 1);
-      Reach reach =
-          InverseKinematics.solve(arm, new Vec2(offset.norm(), 0).rotated(aside));
+      Reach reach = InverseKinematics.solve(arm, new Vec2(offset.norm(), 0).rotated(aside));
       if (!(reach instanceof Reach.Outside out)) {
         return new Facing(new Pose(0, 0, bearing - aside).theta());
       }

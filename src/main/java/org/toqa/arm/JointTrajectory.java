@@ -16,7 +16,11 @@ package org.toqa.arm;
  * @param maxAcceleration shares a second squared; 0: they stand already
  */
 public record JointTrajectory(
-    JointAngles from, JointAngles change, double startRate, double maxRate, double maxAcceleration) {
+    JointAngles from,
+    JointAngles change,
+    double startRate,
+    double maxRate,
+    double maxAcceleration) {
 
   /**
    * Where the joints are at one moment.
@@ -127,7 +131,10 @@ public record JointTrajectory(
     // v^2 / 2a of the line is left; as shares of that the rate is 2a / v and the same slowing down
     double braking = rate * rate / (2 * maxAcceleration);
     return new JointTrajectory(
-        now.angles(), change.times(braking), rate / braking, maxRate / braking,
+        now.angles(),
+        change.times(braking),
+        rate / braking,
+        maxRate / braking,
         maxAcceleration / braking);
   }
 }

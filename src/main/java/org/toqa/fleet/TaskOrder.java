@@ -150,8 +150,7 @@ public record TaskOrder(
         && Objects.equals(size, task.size())
         && onlyRobots.equals(task.onlyRobots())
         && stops.size() == task.stops().size()
-        && IntStream.range(0, stops.size())
-            .allMatch(i -> stops.get(i).isAt(task.stops().get(i)));
+        && IntStream.range(0, stops.size()).allMatch(i -> stops.get(i).isAt(task.stops().get(i)));
   }
 
   /** As far as the store keeps it. */

@@ -68,7 +68,17 @@ public record TaskView(
 
   public TaskView withLateness(@Nullable Sentence nextLate) {
     return new TaskView(
-        task, state, held, robots, loadAt, waitingFor, blocked, needs, nextLate, changedAt, load,
+        task,
+        state,
+        held,
+        robots,
+        loadAt,
+        waitingFor,
+        blocked,
+        needs,
+        nextLate,
+        changedAt,
+        load,
         progress);
   }
 
@@ -77,13 +87,22 @@ public record TaskView(
    */
   public TaskView withWaitReason(Sentence reason) {
     return new TaskView(
-        task, state, held, robots, loadAt, reason, blocked, needs, late, changedAt, load,
-        progress);
+        task, state, held, robots, loadAt, reason, blocked, needs, late, changedAt, load, progress);
   }
 
   public TaskView asBlocked() {
     return new TaskView(
-        task, state, held, robots, loadAt, waitingFor, true, needs, late, changedAt, load,
+        task,
+        state,
+        held,
+        robots,
+        loadAt,
+        waitingFor,
+        true,
+        needs,
+        late,
+        changedAt,
+        load,
         progress);
   }
 

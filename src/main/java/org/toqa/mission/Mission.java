@@ -66,15 +66,7 @@ public record Mission(
       @Nullable TaskPlace setDownPlace,
       @Nullable Trouble trouble) {
     this(
-        task,
-        state,
-        assignedRobots,
-        held,
-        ending,
-        setDownPlace,
-        trouble,
-        null,
-        StopProgress.START);
+        task, state, assignedRobots, held, ending, setDownPlace, trouble, null, StopProgress.START);
   }
 
   /** A task that has no robots yet. */
@@ -333,7 +325,8 @@ public record Mission(
   Mission withState(TaskState next) {
     return next.isEnded()
         ? new Mission(task, next, assignedRobots, false, null, setDownPlace, null, load, progress)
-        : new Mission(task, next, assignedRobots, held, ending, setDownPlace, trouble, load, progress);
+        : new Mission(
+            task, next, assignedRobots, held, ending, setDownPlace, trouble, load, progress);
   }
 
   Mission withAssignedRobots(List<AssignedRobot> next) {
@@ -355,12 +348,28 @@ public record Mission(
 
   Mission withPart(OrderPart part) {
     return new Mission(
-        task.withPart(part), state, assignedRobots, held, ending, setDownPlace, trouble, load, progress);
+        task.withPart(part),
+        state,
+        assignedRobots,
+        held,
+        ending,
+        setDownPlace,
+        trouble,
+        load,
+        progress);
   }
 
   Mission withOrder(TransportTask order) {
     return new Mission(
-        task.withOrder(order), state, assignedRobots, held, ending, setDownPlace, trouble, load, progress);
+        task.withOrder(order),
+        state,
+        assignedRobots,
+        held,
+        ending,
+        setDownPlace,
+        trouble,
+        load,
+        progress);
   }
 
   Mission withOwner(String user, long owner) {
@@ -377,11 +386,13 @@ public record Mission(
   }
 
   Mission withHeld(boolean hold) {
-    return new Mission(task, state, assignedRobots, hold, ending, setDownPlace, trouble, load, progress);
+    return new Mission(
+        task, state, assignedRobots, hold, ending, setDownPlace, trouble, load, progress);
   }
 
   Mission withEnding(LoadChoice choice) {
-    return new Mission(task, state, assignedRobots, held, choice, setDownPlace, trouble, load, progress);
+    return new Mission(
+        task, state, assignedRobots, held, choice, setDownPlace, trouble, load, progress);
   }
 
   Mission withLoadAt(@Nullable TaskPlace place) {
@@ -389,11 +400,13 @@ public record Mission(
   }
 
   Mission withTrouble(@Nullable Trouble next) {
-    return new Mission(task, state, assignedRobots, held, ending, setDownPlace, next, load, progress);
+    return new Mission(
+        task, state, assignedRobots, held, ending, setDownPlace, next, load, progress);
   }
 
   Mission withProgress(StopProgress next) {
-    return new Mission(task, state, assignedRobots, held, ending, setDownPlace, trouble, load, next);
+    return new Mission(
+        task, state, assignedRobots, held, ending, setDownPlace, trouble, load, next);
   }
 
   Step step(List<MissionCommand> commands, Sentence... history) {

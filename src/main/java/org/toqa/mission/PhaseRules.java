@@ -122,8 +122,7 @@ final class PhaseRules {
               .withLoadAt(null)
               .withTrouble(null);
       return returning.step(
-          returning.driveCommands(Phase.HOME),
-          followed(before, Phrase.DELIVERED.with(where)));
+          returning.driveCommands(Phase.HOME), followed(before, Phrase.DELIVERED.with(where)));
     }
     int next = mission.stopNumber() + 1;
     Mission going =
@@ -132,8 +131,7 @@ final class PhaseRules {
             .withProgress(new StopProgress(next, null));
     return going.step(
         going.driveCommands(Phase.TO_GOAL),
-        followed(
-            before, Phrase.LEAVES_STOP.with(where, next, mission.task().route().size())));
+        followed(before, Phrase.LEAVES_STOP.with(where, next, mission.task().route().size())));
   }
 
   private static Mission.Step arriveAtDestination(Mission mission, MissionEvent.PhaseEnded event) {

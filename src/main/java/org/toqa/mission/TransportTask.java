@@ -98,7 +98,9 @@ public record TransportTask(
         user,
         owner,
         createdAt,
-        part, onlyRobots, stops);
+        part,
+        onlyRobots,
+        stops);
   }
 
   /** The same, of that user. */
@@ -116,13 +118,16 @@ public record TransportTask(
         newUser,
         newOwner,
         createdAt,
-        part, onlyRobots, stops);
+        part,
+        onlyRobots,
+        stops);
   }
 
   /** The same, that only these robots may carry; empty: whichever there are. */
   public TransportTask withOnlyRobots(List<String> robots) {
     return new TransportTask(
-        id, name, load, start, goal, floor, priority, deadline, size, user, owner, createdAt, part, robots, stops);
+        id, name, load, start, goal, floor, priority, deadline, size, user, owner, createdAt, part,
+        robots, stops);
   }
 
   /**
@@ -132,8 +137,21 @@ public record TransportTask(
    */
   public TransportTask withStops(List<Stop> way) {
     return new TransportTask(
-        id, name, load, start, goal, floor, priority, deadline, size, user, owner, createdAt, part,
-        onlyRobots, way);
+        id,
+        name,
+        load,
+        start,
+        goal,
+        floor,
+        priority,
+        deadline,
+        size,
+        user,
+        owner,
+        createdAt,
+        part,
+        onlyRobots,
+        way);
   }
 
   /** All of its way, the start first and the goal last. */
@@ -160,8 +178,21 @@ public record TransportTask(
 
   private TransportTask between(TaskPlace from, TaskPlace to) {
     return new TransportTask(
-        id, name, load, from, to, floor, priority, deadline, size, user, owner, createdAt, part,
-        onlyRobots, List.of());
+        id,
+        name,
+        load,
+        from,
+        to,
+        floor,
+        priority,
+        deadline,
+        size,
+        user,
+        owner,
+        createdAt,
+        part,
+        onlyRobots,
+        List.of());
   }
 
   /** The same as that part of an order. */
@@ -179,7 +210,9 @@ public record TransportTask(
         user,
         owner,
         createdAt,
-        changed, onlyRobots, stops);
+        changed,
+        onlyRobots,
+        stops);
   }
 
   /** Whether the robot may carry it, alone or with others. */
@@ -246,6 +279,8 @@ public record TransportTask(
         user,
         owner,
         createdAt,
-        part, onlyRobots, stops);
+        part,
+        onlyRobots,
+        stops);
   }
 }

@@ -45,7 +45,8 @@ final class ArmsForTests {
             bases(),
             joints(),
             joints())
-        .as((upper, fore, base, shoulder, elbow) ->
-            new Arm(upper, fore, base, shoulder, elbow, 3, JointAngles.ZERO));
+        .as(
+            (upper, fore, base, shoulder, elbow) ->
+                new Arm(upper, fore, base, shoulder, elbow, 3, JointAngles.ZERO));
   }
 }

@@ -142,8 +142,11 @@ class InverseKinematicsPropertyTest {
     } else {
       // rounding may put what stands at a limit beyond it, by no more than the bend's square root
       assertTrue(
-          shoulderShare < 1e-6 || shoulderShare > 1 - 1e-6 || elbowShare < 1e-6
-              || elbowShare > 1 - 1e-6 || Math.abs(stand.elbow()) < 1e-6,
+          shoulderShare < 1e-6
+              || shoulderShare > 1 - 1e-6
+              || elbowShare < 1e-6
+              || elbowShare > 1 - 1e-6
+              || Math.abs(stand.elbow()) < 1e-6,
           () -> "refused " + stand);
     }
   }

@@ -87,7 +87,11 @@ class CrashIT {
 
       for (String once :
           List.of(
-              "Picked up", "Waits at Mill", "Leaves Mill", "Leaves Assembly", "Delivered at Store")) {
+              "Picked up",
+              "Waits at Mill",
+              "Leaves Mill",
+              "Leaves Assembly",
+              "Delivered at Store")) {
         assertEquals(1, server.eventCount(task, once), once + ": " + server.task(task));
       }
     }

@@ -97,7 +97,15 @@ class FleetQueueTest extends HallFleetTest {
   private static TaskOrder only(double load, String... robots) {
     TaskOrder order = order(load);
     return new TaskOrder(
-        order.name(), load, order.start(), order.goal(), null, 0, null, null, List.of(robots),
+        order.name(),
+        load,
+        order.start(),
+        order.goal(),
+        null,
+        0,
+        null,
+        null,
+        List.of(robots),
         List.of());
   }
 

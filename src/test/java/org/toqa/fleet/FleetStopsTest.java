@@ -96,7 +96,8 @@ class FleetStopsTest extends HallFleetTest {
     TaskOrder heavy = orderForSeveral(1.5 * most);
     assertEquals(
         "load",
-        refusal(heavy.along(List.of(stop(heavy.start()), stop(IN_THE_MIDDLE), stop(heavy.goal())))));
+        refusal(
+            heavy.along(List.of(stop(heavy.start()), stop(IN_THE_MIDDLE), stop(heavy.goal())))));
   }
 
   private static StopOrder stop(Where where) {

@@ -22,7 +22,8 @@ class StandsInTheWayTest extends HallFleetTest {
   @Test
   void onHold() throws Exception {
     accepted(stage.fleet.holdRobot("r2", "Max"));
-    assertTold(AT_THE_DOOR + "r2 is on hold: resume it",
+    assertTold(
+        AT_THE_DOOR + "r2 is on hold: resume it",
         "Stands on hold at (4.50, 1.50) in the way of r1: resume it,"
             + " or carry it out of the way and set its position on its page");
   }
@@ -30,7 +31,8 @@ class StandsInTheWayTest extends HallFleetTest {
   @Test
   void outOfService() throws Exception {
     accepted(stage.fleet.takeOutOfService("r2", "Max"));
-    assertTold(AT_THE_DOOR + "r2 is out of service: put it back in service, or carry it away",
+    assertTold(
+        AT_THE_DOOR + "r2 is out of service: put it back in service, or carry it away",
         "Stands out of service at (4.50, 1.50) in the way of r1: put it back in"
             + " service; or switch it off and carry it away, and its place is free");
   }
@@ -60,7 +62,8 @@ class StandsInTheWayTest extends HallFleetTest {
   void notLocalised() throws Exception {
     scriptedRobot("r2").forgetPlace();
     until(view -> robot(view, "r2").state() == RobotState.NOT_LOCALISED);
-    assertTold(AT_THE_DOOR + "r2 does not know its position: set it on the robot’s page",
+    assertTold(
+        AT_THE_DOOR + "r2 does not know its position: set it on the robot’s page",
         "Stands at (4.50, 1.50) in the way of r1 and does"
             + " not know its position: set it on its page");
   }

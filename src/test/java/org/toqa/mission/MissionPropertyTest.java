@@ -1,16 +1,16 @@
 package org.toqa.mission;
 
-import net.jqwik.api.Arbitraries;
-import java.util.ArrayList;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.util.ArrayList;
 import java.util.EnumMap;
 import java.util.EnumSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
+import net.jqwik.api.Arbitraries;
 import net.jqwik.api.Arbitrary;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
@@ -97,7 +97,8 @@ class MissionPropertyTest {
     for (MissionEvent event : events) {
       Mission before = MissionEvents.givenToRobots(mission);
       mission = before.apply(event).mission();
-      boolean isDelivery = mission.state() == TaskState.RETURNING && before.state() != mission.state();
+      boolean isDelivery =
+          mission.state() == TaskState.RETURNING && before.state() != mission.state();
       if (mission.progress().stop() != before.progress().stop() || isDelivery) {
         left.add(before.progress().stop());
         assertTrue(

@@ -44,7 +44,8 @@ class MissionTest {
 
   @Example
   void aTourGoesFromStopToStopAndWaitsWhereItShall() {
-    Mission mission = Mission.queued(TOUR).assign(List.of("r1"), Sentence.verbatim("near")).mission();
+    Mission mission =
+        Mission.queued(TOUR).assign(List.of("r1"), Sentence.verbatim("near")).mission();
     Mission.Step step = mission.apply(arrived(Phase.TO_OBJECT, 0));
     assertEquals(List.of("Waits at Store"), said(step));
     assertEquals(TaskState.TO_OBJECT, step.mission().state());

@@ -56,8 +56,8 @@ final class ChassisFactory {
     };
   }
 
-  private static Chassis withArm(
-      SimulatedChassis body, @Nullable ArmConfig arm, Path folder) throws IOException {
+  private static Chassis withArm(SimulatedChassis body, @Nullable ArmConfig arm, Path folder)
+      throws IOException {
     if (arm != null) {
       try {
         body.mount(new SimulatedArm(folder.resolve("arm"), arm.arm(), arm.boxWeight()));

@@ -134,8 +134,7 @@ class ArmTest {
     assertEquals(told + 2, server.received(Acted.class).size());
     rig.restart();
     TestServer again = rig.connect();
-    assertEquals(
-        new ActEnd(1, 5, 1, ArmAction.PICK, null, 1.5), again.hello().acted());
+    assertEquals(new ActEnd(1, 5, 1, ArmAction.PICK, null, 1.5), again.hello().acted());
     again.send(new ServerMessage.AckActed(1));
     again.advance(Duration.ofMillis(2_500));
     int before = again.received(Acted.class).size();
@@ -169,8 +168,7 @@ class ArmTest {
   void whatItRefusesItSaysWhy() {
     assertEquals(
         "The target must be within 100 km, and the load must not be less than 0 kg.",
-        server.rejectReason(
-            new Act(1, 5, 1, ArmAction.PICK, Frame.MAP, new Vec2(1e9, 0), 1)));
+        server.rejectReason(new Act(1, 5, 1, ArmAction.PICK, Frame.MAP, new Vec2(1e9, 0), 1)));
     assertEquals(
         "The phase is 7; an act has phase 1 to 3.",
         server.rejectReason(new Act(2, 5, 7, ArmAction.PICK, Frame.MAP, BOX, 1)));
@@ -212,8 +210,7 @@ class ArmTest {
     assertTrue(stand.minus(ARM.rest()).largest() > 0.1);
     assertNull(arm(server.state()).act());
     assertEquals(List.of(), server.received(Acted.class));
-    server.assertAccepted(
-        TestServer.drive(3, 6L, 1, Rig.START, List.of(new Segment(0.25, 0, 4))));
+    server.assertAccepted(TestServer.drive(3, 6L, 1, Rig.START, List.of(new Segment(0.25, 0, 4))));
     server.advance(Duration.ofMillis(300));
     assertEquals(Rig.START, server.pose());
     server.advanceUntil(state -> state.mode() == Mode.IDLE, MINUTE);

@@ -36,8 +36,6 @@ import org.toqa.link.message.ServerMessage;
 import org.toqa.link.message.ServerMessage.AckActed;
 import org.toqa.link.message.ServerMessage.AckDone;
 import org.toqa.link.message.ServerMessage.Act;
-import org.toqa.link.message.ServerMessage.Frame;
-import org.toqa.motion.DriveKind;
 import org.toqa.link.message.ServerMessage.Cancel;
 import org.toqa.link.message.ServerMessage.Clear;
 import org.toqa.link.message.ServerMessage.Command;
@@ -46,6 +44,7 @@ import org.toqa.link.message.ServerMessage.Extend;
 import org.toqa.link.message.ServerMessage.Follow;
 import org.toqa.link.message.ServerMessage.Follower;
 import org.toqa.link.message.ServerMessage.FormationEnd;
+import org.toqa.link.message.ServerMessage.Frame;
 import org.toqa.link.message.ServerMessage.Hold;
 import org.toqa.link.message.ServerMessage.Lead;
 import org.toqa.link.message.ServerMessage.LeaderMessage;
@@ -54,6 +53,7 @@ import org.toqa.link.message.ServerMessage.Locate;
 import org.toqa.link.message.ServerMessage.Ping;
 import org.toqa.link.message.ServerMessage.Release;
 import org.toqa.link.message.ServerMessage.Resume;
+import org.toqa.motion.DriveKind;
 import org.toqa.motion.Segment;
 import org.toqa.testbed.LineFuzzer;
 
@@ -189,8 +189,7 @@ final class FuzzedRobot implements AutoCloseable {
             new Lead(seq + 4, TASK, 0.05, List.of(NOBODY), null),
             new Follow(seq + 5, TASK, "r9", null, new Vec2(-0.5, 0), 0.05, null),
             new Act(seq + 6, TASK, 1, ArmAction.PICK, Frame.ROBOT, new Vec2(0.4, 0.1), 1),
-            new Act(
-                seq + 6, TASK, 2, ArmAction.PLACE, Frame.MAP, now.pose().position(), 1),
+            new Act(seq + 6, TASK, 2, ArmAction.PLACE, Frame.MAP, now.pose().position(), 1),
             new Hold(seq + 6),
             new Resume(seq + 7),
             new Clear(seq + 8, List.of("STOP_EDGE")),

@@ -385,8 +385,7 @@ final class OrderValidator {
               .orElseGet(
                   () ->
                       new Answer.Rejected<>(
-                          field,
-                          Phrase.NO_SUCH_STATION.with(name, names(floor.stations()))));
+                          field, Phrase.NO_SUCH_STATION.with(name, names(floor.stations()))));
       case Where.Point(Vec2 position) -> checkStandable(end, field, new TaskPlace(position, null));
     };
   }

@@ -230,7 +230,10 @@ final class TaskCommandHandler {
       return;
     }
     AllocationProblem problem =
-        rounds.problem(List.of(TaskQueue.job(task, task.start(), StopProgress.START)), List.of(), state.candidates());
+        rounds.problem(
+            List.of(TaskQueue.job(task, task.start(), StopProgress.START)),
+            List.of(),
+            state.candidates());
     var _ =
         new TaskPreviewer(decider, paths, state.floor, request.check())
             .preview(task, problem, state.now)

@@ -41,7 +41,9 @@ final class TaskExchanges {
     for (TaskView task : missions) {
       if (isExchangeable(task) && isDrivingToLoad(task, byName.get(task.robots().getFirst()))) {
         given.add(
-            new GivenTask(TaskQueue.job(task.task(), task.object(), task.progress()), task.robots().getFirst()));
+            new GivenTask(
+                TaskQueue.job(task.task(), task.object(), task.progress()),
+                task.robots().getFirst()));
       }
     }
     return given;

@@ -20,8 +20,8 @@ import org.toqa.grid.Place;
 import org.toqa.mission.AssignedRobot;
 import org.toqa.mission.Mission;
 import org.toqa.mission.MissionEvent;
-import org.toqa.mission.TaskPlace;
 import org.toqa.mission.Phase;
+import org.toqa.mission.TaskPlace;
 import org.toqa.wording.Phrase;
 import org.toqa.wording.Sentence;
 

@@ -10,7 +10,6 @@ import org.toqa.link.message.AgentMessage.Mode;
 import org.toqa.link.message.AgentMessage.Role;
 import org.toqa.mission.AssignedRobot;
 import org.toqa.mission.Mission;
-import org.toqa.mission.MissionEvent;
 import org.toqa.mission.Phase;
 import org.toqa.traffic.floor.DriveCommand;
 import org.toqa.traffic.floor.Standstill;
@@ -153,12 +152,12 @@ final class DriveDispatcher {
     }
     Long task = goal.task();
     return task != null
-        && state
-            .missions
-            .get(task)
-            .flatMap(mission -> mission.assignedRobot(robot.name()))
-            .filter(c -> !c.unassigned() && c.phase() == goal.phase())
-            .isEmpty()
+            && state
+                .missions
+                .get(task)
+                .flatMap(mission -> mission.assignedRobot(robot.name()))
+                .filter(c -> !c.unassigned() && c.phase() == goal.phase())
+                .isEmpty()
         || isOfLeftStop(goal, task);
   }
 

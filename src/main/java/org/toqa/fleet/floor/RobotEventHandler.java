@@ -69,8 +69,7 @@ final class RobotEventHandler {
       }
       case RobotEvent.StateReported m -> stateReported(robot, m.state());
       case RobotEvent.PhaseEnded m -> phaseEnded(robot, m.end());
-      case RobotEvent.Acted m ->
-          robot.agent.tell(new RobotMessage.AcknowledgeAct(m.end().act()));
+      case RobotEvent.Acted m -> robot.agent.tell(new RobotMessage.AcknowledgeAct(m.end().act()));
       case RobotEvent.DriveBegun m -> driveBegun(robot, m.drive());
       case RobotEvent.DriveWithdrawn m -> driveWithdrawn(robot, m.drive());
       case RobotEvent.DriveAccepted m -> driveAccepted(robot, m.drive());

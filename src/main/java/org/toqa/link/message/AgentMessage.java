@@ -113,8 +113,28 @@ public sealed interface AgentMessage {
         long lastSeq,
         @Nullable PhaseEnd done) {
       this(
-          version, robot, maxLoad, maxSpeed, maxTurnRate, footprint, sensorRange, kind, localised,
-          pose, mode, task, phase, role, drive, segment, released, lastSeq, done, null, null, null);
+          version,
+          robot,
+          maxLoad,
+          maxSpeed,
+          maxTurnRate,
+          footprint,
+          sensorRange,
+          kind,
+          localised,
+          pose,
+          mode,
+          task,
+          phase,
+          role,
+          drive,
+          segment,
+          released,
+          lastSeq,
+          done,
+          null,
+          null,
+          null);
     }
 
     public DriveKind driveKind() {
@@ -147,7 +167,8 @@ public sealed interface AgentMessage {
       @JsonSetter(nulls = Nulls.SET) @Nullable Double weight) {}
 
   /**
-   * @param code the name of an {@link org.toqa.arm.ArmFailure}, or what a robot of another make says
+   * @param code the name of an {@link org.toqa.arm.ArmFailure}, or what a robot of another make
+   *     says
    * @param text a sentence for people
    */
   record ActFailure(String code, String text) {}
@@ -218,8 +239,24 @@ public sealed interface AgentMessage {
         @Nullable Double measuredLoad,
         List<Fault> errors) {
       this(
-          stamp, localised, pose, twist, mode, task, phase, role, drive, segment, released, battery,
-          ranges, obstacles, placeError, measuredLoad, null, errors);
+          stamp,
+          localised,
+          pose,
+          twist,
+          mode,
+          task,
+          phase,
+          role,
+          drive,
+          segment,
+          released,
+          battery,
+          ranges,
+          obstacles,
+          placeError,
+          measuredLoad,
+          null,
+          errors);
     }
 
     /** The same, as if it had seen these obstacles only. */

@@ -134,7 +134,9 @@ public final class StepLattice {
     return grid.resolution() * rows.step() / rows.unit();
   }
 
-  /** The point in the middle of a cell of which the lattice was made, or of any if it is of cells. */
+  /**
+   * The point in the middle of a cell of which the lattice was made, or of any if it is of cells.
+   */
   public Cell pointOf(Cell cell) {
     return new Cell(columns.index(cell.column()), rows.index(cell.row()));
   }

@@ -280,10 +280,8 @@ final class JsonFields implements Fields {
     List<StopOrder> stops = new ArrayList<>();
     for (JsonFields stop : objects(name, max)) {
       boolean awaitsPerson = stop.flag("waitForPerson");
-      Duration wait =
-          stop.rules().stopWait(stop.path("waitSeconds"), stop.number("waitSeconds"));
-      stops.add(
-          new StopOrder(place(name + "." + stops.size(), stop), awaitsPerson, wait));
+      Duration wait = stop.rules().stopWait(stop.path("waitSeconds"), stop.number("waitSeconds"));
+      stops.add(new StopOrder(place(name + "." + stops.size(), stop), awaitsPerson, wait));
     }
     return stops;
   }

@@ -64,8 +64,7 @@ public final class HelpPage extends PageHandler {
         "topics",
         TOPICS.stream()
             .flatMap(
-                name ->
-                    document(context, name).map(text -> new Topic(name, title(text))).stream())
+                name -> document(context, name).map(text -> new Topic(name, title(text))).stream())
             .toList());
     show(request, response, "help");
   }
@@ -116,7 +115,8 @@ public final class HelpPage extends PageHandler {
       visitChildren(link);
       String to = link.getDestination();
       Matcher document = DOCUMENT.matcher(to);
-      if (document.matches() && document(request.getServletContext(), document.group(1)).isPresent()) {
+      if (document.matches()
+          && document(request.getServletContext(), document.group(1)).isPresent()) {
         String section = document.group(2);
         link.setDestination(
             request.getContextPath()

@@ -19,7 +19,8 @@ record ListPage(int number, int pages, int size) {
    */
   static ListPage of(HttpServletRequest request, long count, int size) {
     int pages = (int) Math.max(1, (count + size - 1) / size);
-    ListPage page = new ListPage(Math.min(pages, wanted(request.getParameter("page"))), pages, size);
+    ListPage page =
+        new ListPage(Math.min(pages, wanted(request.getParameter("page"))), pages, size);
     request.setAttribute("page", page.number);
     request.setAttribute("pages", pages);
     return page;

@@ -12,6 +12,7 @@ import java.util.Optional;
 import java.util.UUID;
 import java.util.stream.Stream;
 import org.toqa.accounts.Account;
+import org.toqa.fleet.Answer;
 import org.toqa.fleet.CheckRefusedException;
 import org.toqa.fleet.KeyedAnswer;
 import org.toqa.fleet.PartsOrder;
@@ -30,6 +31,7 @@ import org.toqa.web.input.OrderRejections;
 import org.toqa.web.input.ScheduleOrder;
 import org.toqa.web.input.ScheduleReader;
 import org.toqa.web.input.TaskOrderReader;
+import org.toqa.wording.Sentence;
 
 /** Assigns a transport task: carry this load from here to there. */
 public final class NewTaskPage extends PageHandler {
@@ -145,14 +147,32 @@ public final class NewTaskPage extends PageHandler {
             order,
             user,
             IdempotentSubmitter.idempotencyKey(user, "form " + idempotencyKey(request)))) {
-      case KeyedAnswer.Answered<TaskView>(var answer) -> acceptedValue(request, answer, errors);
+      case KeyedAnswer.Answered<TaskView>(var answer) ->
+          acceptedValue(request, atFormField(answer), errors);
       case KeyedAnswer.Repeated<TaskView>(TaskView before) -> Optional.of(before);
       case KeyedAnswer.KeyReused<TaskView>() ->
           acceptedValue(
               request,
-              FleetAnswers.await(services(request).fleet().submit(order, user.name())),
+              atFormField(
+                  FleetAnswers.await(services(request).fleet().submit(order, user.name()))),
               errors);
     };
+  }
+
+  /** The first two stops are the form's start and goal. */
+  private static Answer<TaskView> atFormField(Answer<TaskView> answer) {
+    if (answer instanceof Answer.Rejected<TaskView>(String field, Sentence sentence)
+        && field != null
+        && field.startsWith("stops.")) {
+      String shownAt =
+          switch (field) {
+            case "stops.0" -> "start";
+            case "stops.1" -> "goal";
+            default -> "stop";
+          };
+      return new Answer.Rejected<>(shownAt, sentence);
+    }
+    return answer;
   }
 
   /** The same form that was sent twice, as by a double click, orders one task. */

@@ -73,8 +73,7 @@ class CmctWalkTest {
         StepLattice.ofCells(OccupancyGrid.parse(".....", ".###.", ".#.#.", ".###.", "....."));
 
     NotFound none =
-        assertInstanceOf(
-            NotFound.class, CmctWalk.plan(cells, new Cell(0, 0), new Cell(2, 2)));
+        assertInstanceOf(NotFound.class, CmctWalk.plan(cells, new Cell(0, 0), new Cell(2, 2)));
 
     assertEquals(Reason.NO_PATH, none.reason());
   }

@@ -55,8 +55,7 @@ public final class SimulatedArm implements ArmDrive {
 
   @Override
   public ArmReading exchange(ArmCommand command, long nanos) {
-    double seconds =
-        started ? Math.min(nanos - lastNanos, Chassis.COMMAND_LIFE_NANOS) / 1e9 : 0;
+    double seconds = started ? Math.min(nanos - lastNanos, Chassis.COMMAND_LIFE_NANOS) / 1e9 : 0;
     started = true;
     lastNanos = nanos;
     JointAngles at = reading.angles();

@@ -99,15 +99,35 @@ public record AgentConfig(
       Following following,
       ChassisConfig chassis) {
     this(
-        name, address, port, plainOffLoopback, dataDir, maxLoad, footprint, kind, limits, following,
-        chassis, null);
+        name,
+        address,
+        port,
+        plainOffLoopback,
+        dataDir,
+        maxLoad,
+        footprint,
+        kind,
+        limits,
+        following,
+        chassis,
+        null);
   }
 
   /** The same with that arm. */
   public AgentConfig withArm(ArmConfig mounted) {
     return new AgentConfig(
-        name, address, port, plainOffLoopback, dataDir, maxLoad, footprint, kind, limits, following,
-        chassis, mounted);
+        name,
+        address,
+        port,
+        plainOffLoopback,
+        dataDir,
+        maxLoad,
+        footprint,
+        kind,
+        limits,
+        following,
+        chassis,
+        mounted);
   }
 
   /**

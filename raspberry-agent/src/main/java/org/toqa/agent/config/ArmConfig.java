@@ -63,8 +63,8 @@ public record ArmConfig(Arm arm, @Nullable Double boxWeight) {
   }
 
   /** Of a joint at rest, within its limits. */
-  private static double angle(
-      ConfigSection rest, String key, double usual, JointLimits joint) throws ConfigException {
+  private static double angle(ConfigSection rest, String key, double usual, JointLimits joint)
+      throws ConfigException {
     double least = Math.toDegrees(joint.least());
     double most = Math.toDegrees(joint.most());
     return Math.toRadians(

@@ -8,12 +8,12 @@ import java.util.OptionalDouble;
 import java.util.Set;
 import java.util.function.Consumer;
 import java.util.function.Function;
+import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 import org.toqa.agent.chassis.ChassisCommand;
 import org.toqa.agent.chassis.ChassisReading;
 import org.toqa.agent.chassis.SharedLoad;
-import org.jspecify.annotations.Nullable;
 import org.toqa.agent.config.AgentConfig;
 import org.toqa.agent.config.ArmConfig;
 import org.toqa.agent.drive.ObstacleAvoider;
@@ -190,7 +190,8 @@ public final class RobotControl {
 
   private CommandCheck check(Command command) {
     return switch (command) {
-      case Drive drive -> CommandCheck.of(rules.objectionTo(drive, activity, arm), () -> begin(drive));
+      case Drive drive ->
+          CommandCheck.of(rules.objectionTo(drive, activity, arm), () -> begin(drive));
       case Extend extend ->
           checkChange(
               extend.drive(),
@@ -213,8 +214,7 @@ public final class RobotControl {
         Act last = record.entry().act();
         boolean isRepeated =
             last != null && last.task() == act.task() && last.action() == act.action();
-        yield CommandCheck.of(
-            rules.objectionTo(act, activity, arm), () -> begin(act, isRepeated));
+        yield CommandCheck.of(rules.objectionTo(act, activity, arm), () -> begin(act, isRepeated));
       }
       case Cancel cancel -> new CommandCheck.Accepted(() -> cancel(cancel));
       case Clear clear ->

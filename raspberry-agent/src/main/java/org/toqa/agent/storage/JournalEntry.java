@@ -41,11 +41,13 @@ public record JournalEntry(
   }
 
   public JournalEntry withLastSeq(long seq) {
-    return new JournalEntry(powerCycle, anchor, seq, task, phase, load, drive, segment, held, done, act, acted);
+    return new JournalEntry(
+        powerCycle, anchor, seq, task, phase, load, drive, segment, held, done, act, acted);
   }
 
   public JournalEntry withAnchor(long cycle, @Nullable Pose origin) {
-    return new JournalEntry(cycle, origin, lastSeq, task, phase, load, drive, segment, held, done, act, acted);
+    return new JournalEntry(
+        cycle, origin, lastSeq, task, phase, load, drive, segment, held, done, act, acted);
   }
 
   /**
@@ -89,7 +91,8 @@ public record JournalEntry(
 
   /** The drive is no more, but its task and phase are still what the robot works for. */
   public JournalEntry withoutDrive() {
-    return new JournalEntry(powerCycle, anchor, lastSeq, task, phase, load, 0, 0, held, done, act, acted);
+    return new JournalEntry(
+        powerCycle, anchor, lastSeq, task, phase, load, 0, 0, held, done, act, acted);
   }
 
   /** The robot works for nothing any more. */

@@ -145,7 +145,8 @@ class AgentConfigTest {
     assertNull(AgentConfig.read(file(LEAST)).arm());
     ArmConfig usual = AgentConfig.read(file(withArm("{}"))).arm();
     String shipped =
-        Files.readString(Path.of("raspberry-agent", "agent.yaml")).replaceAll("(?m)^# ?(arm:|  )", "$1");
+        Files.readString(Path.of("raspberry-agent", "agent.yaml"))
+            .replaceAll("(?m)^# ?(arm:|  )", "$1");
     ArmConfig explained = AgentConfig.read(file(shipped)).arm();
     assertEquals(usual, explained);
     ArmConfig own =
