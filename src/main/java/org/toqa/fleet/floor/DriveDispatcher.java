@@ -151,19 +151,19 @@ final class DriveDispatcher {
       return false;
     }
     Long task = goal.task();
-    return task != null
-            && state
-                .missions
-                .get(task)
-                .flatMap(mission -> mission.assignedRobot(robot.name()))
-                .filter(c -> !c.unassigned() && c.phase() == goal.phase())
-                .isEmpty()
-        || isOfLeftStop(goal, task);
-  }
-
-  private boolean isOfLeftStop(DriveGoal goal, long task) {
-    return goal.phase() == Phase.TO_GOAL
-        && state.missions.get(task).filter(m -> m.stopNumber() == goal.stop()).isEmpty();
+    if (task == null) {
+      return false;
+    }
+    Optional<Mission> mission = state.missions.get(task);
+    boolean isInPhase =
+        mission
+            .flatMap(known -> known.assignedRobot(robot.name()))
+            .filter(c -> !c.unassigned() && c.phase() == goal.phase())
+            .isPresent();
+    boolean isOfLeftStop =
+        goal.phase() == Phase.TO_GOAL
+            && mission.filter(known -> known.stopNumber() == goal.stop()).isEmpty();
+    return !isInPhase || isOfLeftStop;
   }
 
   /** Whether it drives for a task that needs it no more; what follows is being stored. */
