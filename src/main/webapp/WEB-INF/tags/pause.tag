@@ -7,7 +7,7 @@
 <aside id="pause" class="pause ${empty pause ? '' : 'paused'}" data-live="pause" aria-label="${label}">
   <c:choose>
     <c:when test="${empty pause}">
-      <c:if test="${not caller.isVisitor()}">
+      <c:if test="${caller.mayPause()}">
         <form method="post" action="${root}/fleet/pause">
           <t:csrf/>
           <input type="hidden" name="back" value="<c:out value="${address}"/>">
@@ -18,7 +18,7 @@
     </c:when>
     <c:otherwise>
       <p role="status"><strong><fmt:message key="pause.paused"/></strong>${" "}<fmt:message key="pause.by"><fmt:param><bdi><c:out value="${pause.user}"/></bdi></fmt:param></fmt:message>${" "}<t:time at="${pause.since}"/>${" "}· <small><fmt:message key="pause.notSafety"/></small></p>
-      <c:if test="${caller.mayManage()}">
+      <c:if test="${caller.mayOperate()}">
         <details>
           <summary role="button"><fmt:message key="pause.resume"/></summary>
           <form method="post" action="${root}/fleet/resume">
@@ -29,7 +29,7 @@
           </form>
         </details>
       </c:if>
-      <c:if test="${not caller.mayManage()}"><small><fmt:message key="pause.askManager"/></small></c:if>
+      <c:if test="${not caller.mayOperate()}"><small><fmt:message key="pause.askManager"/></small></c:if>
     </c:otherwise>
   </c:choose>
 </aside>

@@ -11,7 +11,7 @@
       <h1>${title}</h1>
       <p class="faint"><fmt:message key="loads.intro"/>${" "}<t:help topic="tasks" section="loads"/></p>
     </div>
-    <c:if test="${not caller.isVisitor()}"><div class="choices"><a role="button" href="${root}/tasks/new"><fmt:message key="tasks.new"/></a></div></c:if>
+    <c:if test="${caller.mayOrder()}"><div class="choices"><a role="button" href="${root}/tasks/new"><fmt:message key="tasks.new"/></a></div></c:if>
   </div>
   <c:if test="${fn:length(floors) > 1 or not empty param.floor}">
     <form method="get" action="${root}/loads" class="filter"><t:floor-choice/><button><fmt:message key="history.filter"/></button></form>

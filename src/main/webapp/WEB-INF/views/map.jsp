@@ -88,7 +88,7 @@
         <p id="more-tasks" class="faint" hidden></p>
         <p id="no-tasks" class="faint" hidden><fmt:message key="map.tasks.none"/></p>
         <div class="choices">
-          <c:if test="${not caller.isVisitor()}"><a role="button" class="wide" href="${root}/tasks/new"><fmt:message key="tasks.new"/></a></c:if>
+          <c:if test="${caller.mayOrder()}"><a role="button" class="wide" href="${root}/tasks/new"><fmt:message key="tasks.new"/></a></c:if>
           <a role="button" class="outline wide" href="${root}/loads"><fmt:message key="map.allLoads"/></a>
         </div>
       </section>
@@ -99,18 +99,20 @@
       </section>
       <section id="floors" data-live="floors">
         <c:forEach items="${floorViews}" var="view">
-          <c:if test="${not empty view.hold or caller.mayManage()}">
+          <c:if test="${not empty view.hold or caller.mayOperate()}">
             <div data-floor="<c:out value="${view.name}"/>">
             <h2><fmt:message key="map.floorNamed"><fmt:param><bdi><c:out value="${view.name}"/></bdi></fmt:param></fmt:message></h2>
             <c:if test="${not empty view.hold}">
               <p class="notice warn"><fmt:message key="floor.held"><fmt:param><bdi><c:out value="${view.hold.user}"/></bdi></fmt:param></fmt:message>${" "}<t:time at="${view.hold.since}"/></p>
             </c:if>
-            <c:if test="${caller.mayManage()}">
+            <c:if test="${caller.mayOperate()}">
               <c:url value="/floors/${RequestPath.segment(view.name)}/${empty view.hold ? 'hold' : 'resume'}" var="holdOrResume"/>
               <form method="post" action="<c:out value="${holdOrResume}"/>">
                 <t:csrf/>
                 <button class="outline wide"><fmt:message key="floor.${empty view.hold ? 'hold' : 'resume'}"/></button>
               </form>
+            </c:if>
+            <c:if test="${caller.mayManage()}">
               <c:url value="/floors/${RequestPath.segment(view.name)}/allocator" var="allocatorUrl"/>
               <details>
                 <summary><fmt:message key="floor.allocator"/>: <fmt:message key="floor.allocator.${empty allocators[view.name] ? 'configured' : allocators[view.name]}"/></summary>

@@ -67,7 +67,7 @@
       </article>
     </c:if>
   </div>
-  <c:if test="${caller.mayManage()}">
+  <c:if test="${caller.mayOperate()}">
     <c:set var="stops" value="${robot.stops()}"/>
     <article class="card service" id="stop" data-live="robot-stop" data-name="${fn:escapeXml(robot.name)}" ${empty stops ? 'hidden' : ''}>
       <h2><fmt:message key="robot.stop"/></h2>
@@ -140,7 +140,7 @@
     <c:url value="/history" var="history"><c:param name="robot" value="${robot.name}"/></c:url>
     <a href="<c:out value="${history}"/>"><fmt:message key="robot.history"/></a>
   </article>
-  <c:if test="${caller.mayManage()}">
+  <c:if test="${caller.mayOperate()}">
     <article class="card" id="actions" data-live="robot-actions" data-name="${fn:escapeXml(robot.name)}" ${empty pause or empty robot.work.task ? '' : 'hidden'}>
       <h2><fmt:message key="robot.actions"/></h2>
       <div class="choices">
@@ -198,6 +198,8 @@
         <button><fmt:message key="robot.locate.submit"/></button>
       </form>
     </article>
+  </c:if>
+  <c:if test="${caller.mayManage()}">
     <c:if test="${fn:length(floors) > 1 and not robot.record.simulated}">
       <article class="card" id="move">
         <h2><fmt:message key="robot.move"/>${" "}<t:help topic="maps"/></h2>

@@ -11,7 +11,7 @@
       <h1>${title}</h1>
       <p class="faint"><fmt:message key="schedules.intro"/>${" "}<t:help topic="tasks" section="later-and-again-and-again"/></p>
     </div>
-    <c:if test="${not caller.isVisitor()}"><div class="choices"><a role="button" href="${root}/tasks/new"><fmt:message key="tasks.new"/></a></div></c:if>
+    <c:if test="${caller.mayOrder()}"><div class="choices"><a role="button" href="${root}/tasks/new"><fmt:message key="tasks.new"/></a></div></c:if>
   </div>
   <t:errors/>
   <c:if test="${not empty param.added}"><p class="notice good" role="status"><fmt:message key="schedules.added"/></p></c:if>

@@ -183,7 +183,9 @@ public final class JdbiAccountStore implements AccountStore {
   private static Sentence changeSentence(Account old, Role role, boolean disabled, String by) {
     Phrase phrase =
         switch (role) {
+          case VIEWER -> Phrase.USER_MADE_VIEWER;
           case CLERK -> Phrase.USER_MADE_CLERK;
+          case OPERATOR -> Phrase.USER_MADE_OPERATOR;
           case MANAGER -> Phrase.USER_MADE_MANAGER;
           case ADMINISTRATOR -> Phrase.USER_MADE_ADMINISTRATOR;
         };

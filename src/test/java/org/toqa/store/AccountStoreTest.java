@@ -16,6 +16,8 @@ import org.flywaydb.core.Flyway;
 import org.jdbi.v3.core.Jdbi;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
 import org.toqa.accounts.Account;
 import org.toqa.accounts.AccountStore;
 import org.toqa.accounts.Handover;
@@ -99,6 +101,17 @@ class AccountStoreTest {
     assertEquals(Optional.of(added), accounts.accountByName("ADA"));
     assertEquals(Optional.of(added), accounts.account(added.id()));
     assertEquals(START, added.createdAt());
+  }
+
+  @ParameterizedTest
+  @EnumSource(Role.class)
+  void everyRoleIsKept(Role role) {
+    Account boss = accounts.add("Boss", "hash", Role.ADMINISTRATOR, "boss").orElseThrow();
+    Account ada = accounts.add("Ada", "hash", Role.CLERK, "boss").orElseThrow();
+
+    accounts.update(ada.id(), role, false, null, boss.name());
+
+    assertEquals(role, accounts.account(ada.id()).orElseThrow().role());
   }
 
   @Test

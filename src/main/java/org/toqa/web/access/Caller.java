@@ -5,7 +5,6 @@ import java.util.Objects;
 import java.util.Optional;
 import org.jspecify.annotations.Nullable;
 import org.toqa.accounts.Account;
-import org.toqa.accounts.Role;
 import org.toqa.accounts.Session;
 import org.toqa.accounts.Site;
 
@@ -43,6 +42,30 @@ public record Caller(Account account, Session session, Credential credential, Si
     return isManager() && !isVisitor();
   }
 
+  /** Whether he may keep robots and everybody's tasks going in the request's site. */
+  public boolean mayOperate() {
+    return has(Permission.OPERATE) && !isVisitor();
+  }
+
+  /** Whether he may add tasks in the request's site. */
+  public boolean mayOrder() {
+    return has(Permission.ORDER) && !isVisitor();
+  }
+
+  /** Whether he may pause the robots of the request's site. */
+  public boolean mayPause() {
+    return has(Permission.PAUSE) && !isVisitor();
+  }
+
+  /**
+   * Whether he may change what somebody has ordered.
+   *
+   * @param owner the id of that account; null: nobody's
+   */
+  public boolean mayChangeOrderOf(@Nullable Long owner) {
+    return has(Permission.OPERATE) || (has(Permission.ORDER) && owns(owner));
+  }
+
   public boolean isAdministrator() {
     return account.isAdministrator();
   }
@@ -64,12 +87,7 @@ public record Caller(Account account, Session session, Credential credential, Si
 
   /** Whether the caller may use a route that asks for that permission. */
   public boolean has(Permission permission) {
-    return switch (permission) {
-      case ANONYMOUS, SIGNED_IN -> true;
-      case CLERK -> account.role() == Role.CLERK || isManager();
-      case MANAGER -> isManager();
-      case ADMINISTRATOR -> isAdministrator();
-    };
+    return permission.power().map(account.role()::has).orElse(true);
   }
 
   public void storeIn(ServletRequest request) {

@@ -9,11 +9,10 @@ import org.toqa.web.access.Caller;
 public final class OrderAccess {
   private OrderAccess() {}
 
-  /** A clerk changes what is all his own as far as it has not ended, a manager everything. */
+  /** A clerk changes what is all his own as far as it has not ended, an operator everything. */
   public static boolean canChange(Caller caller, OrderView order) {
     List<TaskView> open = order.open();
-    return caller.isManager()
-        || (open.isEmpty() ? order.current() : open)
-            .stream().allMatch(task -> caller.owns(task.task().owner()));
+    return (open.isEmpty() ? order.current() : open)
+        .stream().allMatch(task -> caller.mayChangeOrderOf(task.task().owner()));
   }
 }

@@ -7,8 +7,8 @@ import org.toqa.web.access.Caller;
 public final class ScheduleAccess {
   private ScheduleAccess() {}
 
-  /** A clerk changes his own schedules, a manager all. */
+  /** A clerk changes his own schedules, an operator all. */
   public static boolean canChange(Caller caller, Schedule schedule) {
-    return caller.isManager() || caller.owns(schedule.owner());
+    return caller.mayChangeOrderOf(schedule.owner());
   }
 }

@@ -26,9 +26,9 @@ public final class TaskCommandReader {
     this.errors = errors;
   }
 
-  /** A clerk changes his own tasks, a manager all. */
+  /** A clerk changes his own tasks, an operator all. */
   public static boolean canChange(Caller caller, TaskView task) {
-    return caller.isManager() || caller.owns(task.task().owner());
+    return caller.mayChangeOrderOf(task.task().owner());
   }
 
   /**

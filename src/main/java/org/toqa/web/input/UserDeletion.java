@@ -11,6 +11,7 @@ import org.jspecify.annotations.Nullable;
 import org.toqa.accounts.Account;
 import org.toqa.accounts.AccountStore;
 import org.toqa.accounts.Handover;
+import org.toqa.accounts.Power;
 import org.toqa.accounts.Session;
 import org.toqa.fleet.Answer;
 import org.toqa.fleet.TaskArchive.Filter;
@@ -160,11 +161,16 @@ public final class UserDeletion {
         Optional.ofNullable(id)
             .filter(given -> given.matches("[1-9][0-9]{0,17}"))
             .flatMap(given -> services.accounts().account(Long.parseLong(given)))
-            .filter(account -> account.id() != user.id() && !account.disabled());
+            .filter(this::mayInherit);
     if (heir.isEmpty()) {
       errors.add("to", texts.get("error.delete.to"));
     }
     return heir.orElse(null);
+  }
+
+  /** Whether he can look after what the user had ordered. */
+  public boolean mayInherit(Account account) {
+    return account.id() != user.id() && !account.disabled() && account.role().has(Power.ORDER);
   }
 
   private boolean isLastManager() {

@@ -176,13 +176,13 @@ public final class UserPage extends PageHandler {
     request.setAttribute("scopes", Scope.values());
     request.setAttribute("sessions", services.sessions().sessions(user.id()));
     if (Caller.of(request).isManager()) {
-      request.setAttribute(
-          "belongings",
-          new UserDeletion(services, Texts.of(request), new FieldErrors(), now).belongings());
+      UserDeletion deletion =
+          new UserDeletion(services, Texts.of(request), new FieldErrors(), now);
+      request.setAttribute("belongings", deletion.belongings());
       request.setAttribute(
           "heirs",
           services.accounts().accounts().stream()
-              .filter(account -> account.id() != now.id() && !account.disabled())
+              .filter(deletion::mayInherit)
               .toList());
     }
   }

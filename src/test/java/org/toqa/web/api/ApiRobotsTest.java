@@ -137,7 +137,7 @@ class ApiRobotsTest extends ApiTestServer {
     HttpResponse<String> ofClerk = post(tokenOf(WebTestServer.CLERK), path, "{}");
 
     assertEquals(403, ofClerk.statusCode());
-    assertTrue(detail(ofClerk).startsWith("Only managers may do this."));
+    assertTrue(detail(ofClerk).startsWith("Only operators and managers may do this."));
     assertEquals(401, post(null, path, "{}").statusCode());
     assertEquals("IDLE", state("r1"));
     assertEquals(404, post(token, "api/v1/robots/none/" + command, "{}").statusCode());
@@ -169,7 +169,7 @@ class ApiRobotsTest extends ApiTestServer {
         WebTestServer.CLERK, JSON.readTree(paused.body()).get("pause").get("user").stringValue());
     HttpResponse<String> ofClerk = post(clerk, "api/v1/fleet/resume", "");
     assertEquals(403, ofClerk.statusCode());
-    assertTrue(detail(ofClerk).startsWith("Only managers may do this."));
+    assertTrue(detail(ofClerk).startsWith("Only operators and managers may do this."));
     HttpResponse<String> ofManager = post(token, "api/v1/fleet/resume", "");
     assertEquals(200, ofManager.statusCode());
     assertTrue(JSON.readTree(ofManager.body()).get("pause").isNull());

@@ -95,6 +95,37 @@ class ManagerPagesInBrowserTest extends PagesInBrowser {
     assertFits(page, "robots-refused-" + language, DESK, PHONE);
   }
 
+  @ParameterizedTest
+  @ValueSource(strings = {"en", "ar"})
+  void anOperatorKeepsRobotsGoingAndAViewerLooks(String language) {
+    server.addUser("Otto-" + language, null, Role.OPERATOR);
+    server.addUser("Vera-" + language, null, Role.VIEWER);
+    Page page = loggedIn("Otto-" + language, DESK, "language/" + language);
+    page.navigate(server.root() + "robots/r2");
+    assertThat(page.locator("#service details")).hasCount(1);
+    assertThat(page.locator("#change")).hasCount(0);
+    click(page.locator("#service summary"));
+    click(page.locator("#service button.danger"));
+    assertThat(page.locator("#service details")).hasCount(0);
+    click(page.locator("#service button"));
+    assertThat(page.locator("#service details")).hasCount(1);
+    page.navigate(server.root() + "map");
+    assertThat(page.locator("#floors button")).hasCount(1);
+    assertFits(page, "operator-" + language, DESK, PHONE);
+
+    page = loggedIn("Vera-" + language, DESK, "language/" + language);
+    page.navigate(server.root() + "robots/r2");
+    assertThat(page.locator("h1")).isVisible();
+    assertThat(page.locator("main form")).hasCount(0);
+    for (String path : List.of("tasks", "map", "schedules", "loads", "floors", "robots")) {
+      page.navigate(server.root() + path);
+      assertThat(page.locator("#pause button")).hasCount(0);
+      assertThat(page.locator("main form[method=post]")).hasCount(0);
+      assertThat(page.locator("a[href$='/tasks/new']")).hasCount(0);
+    }
+    assertFits(page, "viewer-" + language, DESK, PHONE);
+  }
+
   @Test
   void whatIsSeldomWantedIsInAMenuThatTheKeyboardOpensAndCloses() {
     Page page = loggedIn(WebTestServer.MANAGER, DESK, "tasks");

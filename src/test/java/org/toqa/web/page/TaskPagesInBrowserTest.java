@@ -13,6 +13,7 @@ import java.util.regex.Pattern;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
+import org.toqa.accounts.Role;
 import org.toqa.fleet.CheckRefusedException;
 import org.toqa.mission.TaskState;
 import org.toqa.web.WebTestServer;
@@ -54,6 +55,23 @@ class TaskPagesInBrowserTest extends PagesInBrowser {
     server.fleet().changeTask(1, TaskState.DONE, List.of("r1"), "r1 has parked.");
     assertThat(page.locator(".history li")).hasCount(3);
     assertThat(page.locator("[aria-current=step]")).hasText("Done");
+  }
+
+  @Test
+  void anOperatorHoldsTheTaskOfAManagerAndAViewerDoesNot() {
+    Page page = pageOfNewTask("2.5");
+    String task = page.url();
+    server.addUser("Otto", null, Role.OPERATOR);
+    server.addUser("Vera", null, Role.VIEWER);
+    Page ofOperator = loggedIn("Otto", DESK, "map");
+    ofOperator.navigate(task);
+    click(button(ofOperator, "Hold"));
+    assertThat(button(ofOperator, "Resume")).isVisible();
+    Page ofViewer = loggedIn("Vera", DESK, "map");
+    ofViewer.navigate(task);
+    assertThat(ofViewer.locator("h1")).hasText("Drums");
+    assertThat(button(ofViewer, "Resume")).isHidden();
+    assertThat(button(ofViewer, "Follow")).isVisible();
   }
 
   @Test

@@ -39,6 +39,8 @@ class AccessTest extends WebServerTest {
           "Cross-Origin-Resource-Policy", "same-origin");
 
   private static final String ADMINISTRATOR = "Ada";
+  private static final String VIEWER = "Vera";
+  private static final String OPERATOR = "Otto";
 
   private static final JsonMapper JSON = new JsonMapper();
 
@@ -52,16 +54,24 @@ class AccessTest extends WebServerTest {
   }
 
   private TestClient administrator;
+  private TestClient viewer;
+  private TestClient operator;
 
   @BeforeAll
   void addAdministrator() {
     server.addUser(ADMINISTRATOR, null, Role.ADMINISTRATOR);
     administrator = TestClient.signedIn(server.root(), ADMINISTRATOR);
+    server.addUser(VIEWER, null, Role.VIEWER);
+    viewer = TestClient.signedIn(server.root(), VIEWER);
+    server.addUser(OPERATOR, null, Role.OPERATOR);
+    operator = TestClient.signedIn(server.root(), OPERATOR);
   }
 
   @AfterAll
   void closeAdministrator() {
     administrator.close();
+    viewer.close();
+    operator.close();
   }
 
   static List<Right> rights() throws IOException {
@@ -72,10 +82,18 @@ class AccessTest extends WebServerTest {
   @MethodSource("rights")
   void everyRouteIsForThoseOfTheTable(Right right) {
     assertEquals(
-        List.of(right.ofAnonymous(), right.ofClerk(), right.ofManager(), right.ofAdministrator()),
+        List.of(
+            right.ofAnonymous(),
+            right.ofViewer(),
+            right.ofClerk(),
+            right.ofOperator(),
+            right.ofManager(),
+            right.ofAdministrator()),
         Stream.of(
                 anonymous,
+                clientFor(viewer, VIEWER, right),
                 clientFor(clerk, WebTestServer.CLERK, right),
+                clientFor(operator, OPERATOR, right),
                 clientFor(manager, WebTestServer.MANAGER, right),
                 clientFor(administrator, ADMINISTRATOR, right))
             .map(client -> Rights.answer(client, right))

@@ -14,7 +14,7 @@ import org.toqa.web.TestClient;
 public final class Rights {
   /**
    * Who may do what, written by hand: a method, a path, and the status for a client that is not
-   * signed in, a clerk, a manager, an administrator, and one who looks at another site. Each sends
+   * signed in, a viewer, a clerk, an operator, a manager, an administrator, and one who looks at another site. Each sends
    * an order without fields, for what does not exist.
    */
   private static final Path FILE = Path.of("src/test/resources/web/rights.txt");
@@ -30,7 +30,9 @@ public final class Rights {
       String method,
       String path,
       String ofAnonymous,
+      String ofViewer,
       String ofClerk,
+      String ofOperator,
       String ofManager,
       String ofAdministrator,
       String ofVisitor,
@@ -67,7 +69,9 @@ public final class Rights {
                     word[4],
                     word[5],
                     word[6],
-                    word.length > 7 ? word[7] : ""))
+                    word[7],
+                    word[8],
+                    word.length > 9 ? word[9] : ""))
         .toList();
   }
 
