@@ -2,6 +2,8 @@ package org.toqa.lab;
 
 import java.util.List;
 import java.util.Optional;
+import org.toqa.lab.cmct.CmctCarrying;
+import org.toqa.lab.cmct.CmctPlanning;
 import org.toqa.lab.csm.CsmBudget;
 import org.toqa.lab.csm.CsmDynamic;
 import org.toqa.lab.csm.CsmStatic;
@@ -15,6 +17,8 @@ import org.toqa.lab.swarm.SwarmSweep;
 public final class Experiments {
   private static final List<Experiment> ALL =
       List.of(
+          new CmctPlanning(),
+          new CmctCarrying(),
           new CsmBudget(),
           new CsmDynamic(),
           new CsmStatic(),
