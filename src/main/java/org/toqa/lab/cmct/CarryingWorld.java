@@ -11,6 +11,7 @@ import java.util.Objects;
 import java.util.Set;
 import java.util.TreeMap;
 import java.util.TreeSet;
+import java.util.stream.IntStream;
 import org.jspecify.annotations.Nullable;
 import org.toqa.cooperation.CarryCommand;
 import org.toqa.cooperation.CarryEvent;
@@ -29,8 +30,9 @@ import org.toqa.planning.PlanResult;
 /**
  * A store in which robots carry boxes, in steps of a quarter of a second: bodies, boxes, cameras
  * and batteries as they are in truth, and what {@link SupervisorCycle} makes of what it is told of
- * them. Without obstacles that nobody has seen, since nobody drives where nothing was seen. Boxes
- * are no obstacles.
+ * them. Robots keep their distance by {@link RightOfWay} also while the supervisor is away. A robot
+ * that fails stands where it is, with the box in its arm, until it starts again. Boxes are no
+ * obstacles.
  */
 final class CarryingWorld {
   static final double STEP = 0.25;
@@ -221,7 +223,11 @@ final class CarryingWorld {
     return all.size();
   }
 
-  boolean isAtTarget(int box) {
+  boolean isEachAtTarget() {
+    return IntStream.range(0, scene.boxes().size()).allMatch(this::isAtTarget);
+  }
+
+  private boolean isAtTarget(int box) {
     return lying.containsKey(box)
         && lying.get(box).distanceTo(scene.boxes().get(box).target()) < 1e-9;
   }
@@ -271,11 +277,9 @@ final class CarryingWorld {
         .sum();
   }
 
-  Vec2 positionOf(String robot) {
-    return body(robot).position;
-  }
-
-  String describe() {
+  /** All that is, for who looks for a fault. */
+  @Override
+  public String toString() {
     StringBuilder text = new StringBuilder("%.0f s, ".formatted(time) + rightOfWay);
     for (CarryingBody body : bodies) {
       text.append(
@@ -894,6 +898,9 @@ final class CarryingWorld {
     }
     Vec2 goal = driver.goal;
     List<Vec2> path = List.copyOf(driver.path);
+    if (goal != null && keepsClear(driver)) {
+      return true; // a new path each time might lead to and fro
+    }
     if (plan(driver, standing(driver))) {
       return true;
     }
@@ -901,6 +908,21 @@ final class CarryingWorld {
     driver.path.clear();
     driver.path.addAll(path);
     return false;
+  }
+
+  /** Whether the path that a robot has keeps away from all that stand. */
+  private boolean keepsClear(CarryingBody driver) {
+    for (CarryingBody other : standing(driver)) {
+      for (Vec2 there : List.of(other.position, other.next())) {
+        for (Vec2 point : driver.path) {
+          Vec2 second = driver.partner == null ? point : point.minus(driver.side.times(2));
+          if (Math.min(point.distanceTo(there), second.distanceTo(there)) < CLEARANCE) {
+            return false;
+          }
+        }
+      }
+    }
+    return true;
   }
 
   private List<CarryingBody> standing(CarryingBody body) {
@@ -961,7 +983,7 @@ final class CarryingWorld {
             Math.min(nearest, bodies.get(i).position.distanceTo(bodies.get(j).position));
       }
     }
-    if (deliveries.size() < scene.boxes().size()) {
+    if (!isEachAtTarget()) {
       for (CarryingBody body : bodies) {
         if (body.isAlive && isWorker(body)) {
           switch (body.errand) {

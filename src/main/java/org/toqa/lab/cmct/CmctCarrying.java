@@ -206,7 +206,7 @@ public final class CmctCarrying implements Experiment {
   }
 
   private static void addOverlap(List<Figure> figures, Map<Team, List<CarryingWorld>> worlds) {
-    double boxes = of(worlds, Team.CMCT).getFirst().deliveries().size();
+    double boxes = of(worlds, Team.CMCT).getFirst().boxes();
     Spread with = Spread.of(values(worlds, Team.CMCT, world -> world.idle() / boxes));
     Spread without = Spread.of(values(worlds, Team.CMCT_WAITING, world -> world.idle() / boxes));
     figures.add(
@@ -243,7 +243,7 @@ public final class CmctCarrying implements Experiment {
         all++;
         boolean isComplete =
             world.isDone()
-                && world.deliveries().size() == scenes.get(i).boxes().size()
+                && world.isEachAtTarget()
                 && world.deliveries().values().stream().allMatch(times -> times == 1);
         done += isComplete ? 1 : 0;
       }
