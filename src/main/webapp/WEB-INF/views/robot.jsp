@@ -53,6 +53,8 @@
       </dl>
       <c:url value="/map" var="onMap"><c:param name="robot" value="${robot.name}"/></c:url>
       <a href="<c:out value="${onMap}"/>"><fmt:message key="task.onMap"/></a>
+      <c:url value="/robots/${robot.name}/control" var="control"/>
+      ${" · "}<a href="<c:out value="${control}"/>"><fmt:message key="robot.control"/></a>
     </article>
     <c:if test="${not empty ranges}">
       <article class="card">

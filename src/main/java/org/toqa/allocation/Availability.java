@@ -9,6 +9,7 @@ public enum Availability {
   FREE(Phrase.NEEDED_ELSEWHERE, Phrase.CANNOT_OF_SEVERAL),
   BUSY(Phrase.WORKS_ON_ANOTHER, Phrase.WORK_ON_OTHERS),
   HELD(Phrase.IS_HELD, Phrase.ARE_HELD),
+  DRIVEN_BY_HAND(Phrase.IS_DRIVEN_BY_HAND, Phrase.ARE_DRIVEN_BY_HAND),
   /** At a charging point, driving to one, or waiting for one. */
   CHARGING(Phrase.CHARGES_FIRST, Phrase.CHARGE_FIRST),
   OUT_OF_SERVICE(Phrase.IS_OUT_OF_SERVICE, Phrase.ARE_OUT_OF_SERVICE),

@@ -42,7 +42,7 @@ public final class TeamSize {
 
   private static boolean canBeFree(Candidate robot) {
     return switch (robot.availability()) {
-      case FREE, BUSY, CHARGING, HELD -> true;
+      case FREE, BUSY, CHARGING, HELD, DRIVEN_BY_HAND -> true;
       case CONNECTING, LOST, NOT_LOCALISED, ERROR, OUT_OF_SERVICE -> false;
     };
   }

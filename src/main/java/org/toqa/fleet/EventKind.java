@@ -45,6 +45,8 @@ public enum EventKind {
   ROBOT_LINK_REFUSED("robot.link-refused"),
   ROBOT_LOCATED("robot.located"),
   ROBOT_OUT_OF_SERVICE("robot.out-of-service"),
+  ROBOT_MANUAL_BEGAN("robot.manual-began"),
+  ROBOT_MANUAL_ENDED("robot.manual-ended"),
   ROBOT_MOVED("robot.moved"),
   ROBOT_MQTT_PASSWORD("robot.mqtt-password"),
   ROBOT_PAIRED("robot.paired"),

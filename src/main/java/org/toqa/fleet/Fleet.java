@@ -136,6 +136,20 @@ public interface Fleet {
   /** A person sends a robot that has nothing to do to its parking point. */
   CompletionStage<Answer<RobotView>> sendHome(String robot, String user);
 
+  /**
+   * A person drives a robot by hand: a step more, which its floor's traffic grants or refuses. The
+   * first one begins it, where nobody drives the robot and it has no task; the answer says what to
+   * show with the next. A robot that nothing is said of stands within half a second, and drives by
+   * itself again after ten.
+   *
+   * @param order its speeds at most {@link ManualOrder#MAX_SPEED} and {@link
+   *     ManualOrder#MAX_TURN_RATE}, either way
+   */
+  CompletionStage<Answer<ManualAnswer>> driveByHand(String robot, ManualOrder order, String user);
+
+  /** A person drives a robot by hand no longer; nothing where he does not. */
+  CompletionStage<Answer<RobotView>> endManualDrive(String robot, UUID lease, String user);
+
   /** An operator command to a task: to cancel it, to hold it, to answer what it asks. */
   CompletionStage<Answer<TaskView>> commandTask(long task, MissionEvent.OperatorCommand command);
 

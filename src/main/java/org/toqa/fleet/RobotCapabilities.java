@@ -10,20 +10,32 @@ import org.toqa.motion.DriveSpeeds;
  * @param maxLoad kilograms that it says it carries
  * @param sensorRange metres that its range sensors see
  * @param kind how it can move
+ * @param track metres between its two wheels; 0: it has others, or nobody knows
  */
 public record RobotCapabilities(
-    double footprint, DriveSpeeds speeds, double maxLoad, double sensorRange, DriveKind kind) {
+    double footprint,
+    DriveSpeeds speeds,
+    double maxLoad,
+    double sensorRange,
+    DriveKind kind,
+    double track) {
 
   /** Assumed of a robot that was never heard of: the smallest diameter of ours, any load. */
   public static final RobotCapabilities UNKNOWN =
       new RobotCapabilities(0.255, DriveSpeeds.DEFAULT, Double.MAX_VALUE, 0.8, DriveKind.OMNI);
 
+  /** Of a robot of which nobody knows how far its wheels are apart. */
+  public RobotCapabilities(
+      double footprint, DriveSpeeds speeds, double maxLoad, double sensorRange, DriveKind kind) {
+    this(footprint, speeds, maxLoad, sensorRange, kind, 0);
+  }
+
   public RobotCapabilities withFootprint(double diameter) {
-    return new RobotCapabilities(diameter, speeds, maxLoad, sensorRange, kind);
+    return new RobotCapabilities(diameter, speeds, maxLoad, sensorRange, kind, track);
   }
 
   public RobotCapabilities withMaxLoad(double kilograms) {
-    return new RobotCapabilities(footprint, speeds, kilograms, sensorRange, kind);
+    return new RobotCapabilities(footprint, speeds, kilograms, sensorRange, kind, track);
   }
 
   /** Whether the robot has ever said what it carries: whether it was ever connected. */

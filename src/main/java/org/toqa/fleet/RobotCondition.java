@@ -53,6 +53,9 @@ public record RobotCondition(
     Availability withoutTask = robot.state().withoutTask();
     return switch (withoutTask) {
       case FREE -> {
+        if (robot.work().driver() != null) {
+          yield Availability.DRIVEN_BY_HAND;
+        }
         if (robot.work().charger() != null) {
           yield Availability.CHARGING;
         }
@@ -61,7 +64,8 @@ public record RobotCondition(
             : Availability.FREE;
       }
       case HELD -> robot.work().task() == null ? Availability.HELD : Availability.BUSY;
-      case BUSY, CHARGING, OUT_OF_SERVICE, LOST, CONNECTING, NOT_LOCALISED, ERROR -> withoutTask;
+      case BUSY, DRIVEN_BY_HAND, CHARGING, OUT_OF_SERVICE, LOST, CONNECTING, NOT_LOCALISED, ERROR ->
+          withoutTask;
     };
   }
 }

@@ -41,9 +41,22 @@ public record RobotView(
    * @param phase of its task that it is in
    * @param held whether it shall hold: by a person's word, for its task, or since all are paused
    * @param charger the charging point that it charges at, drives to or waits for; null: none
+   * @param driver the name of who drives it by hand; null: it drives by itself
    */
   public record Work(
-      @Nullable Long task, Phase phase, boolean held, @Nullable String charger, Sentence doing) {}
+      @Nullable Long task,
+      Phase phase,
+      boolean held,
+      @Nullable String charger,
+      Sentence doing,
+      @Nullable String driver) {
+
+    /** Of one that drives by itself. */
+    public Work(
+        @Nullable Long task, Phase phase, boolean held, @Nullable String charger, Sentence doing) {
+      this(task, phase, held, charger, doing, null);
+    }
+  }
 
   /**
    * What a robot said of itself last.

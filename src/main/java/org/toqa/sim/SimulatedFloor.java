@@ -128,7 +128,7 @@ public final class SimulatedFloor {
    *
    * @param radius of that robot, metres
    */
-  Surroundings surroundings(String robot, double radius) {
+  public Surroundings surroundings(String robot, double radius) {
     return new Surroundings() {
       private @Nullable Solid body;
 

@@ -21,6 +21,10 @@ const SUBJECTS = {
     const robot = robots.find((candidate) => candidate.name === name);
     return robot && {...robot, lastSeen: null, route: null};
   },
+  control: ({robots}, name) => {
+    const robot = robots.find((candidate) => candidate.name === name);
+    return robot && [robot.state, robot.doing, robot.errors, robot.alert];
+  },
   'task-actions': ({tasks}, name) => {
     const task = tasks.find((candidate) => String(candidate.id) === name);
     return task && [task.state, task.held, task.blocked, task.priority, task.needs];

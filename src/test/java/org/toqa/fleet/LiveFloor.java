@@ -10,15 +10,19 @@ import java.time.Instant;
 import java.time.InstantSource;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
+import java.util.Objects;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.LockSupport;
 import java.util.function.Function;
 import java.util.function.Predicate;
+import java.util.stream.Collectors;
 import org.jspecify.annotations.Nullable;
 import org.toqa.allocation.Policy;
 import org.toqa.app.server.TrueBodies;
 import org.toqa.fleet.manager.AgentFleet;
 import org.toqa.geometry.Pose;
+import org.toqa.geometry.Vec2;
 import org.toqa.grid.FloorMap;
 import org.toqa.grid.Place;
 import org.toqa.link.TcpRobotLinkFactory;
@@ -69,6 +73,9 @@ final class LiveFloor {
   private final ClearanceJudge truth;
 
   private volatile boolean hasSeenCarriedLoad;
+
+  /** Where robots really are, by name. */
+  private volatile Map<String, Vec2> truePlaces = Map.of();
 
   /**
    * @param world where the robots really are
@@ -162,6 +169,10 @@ final class LiveFloor {
 
   private void judge(long nanos, List<Body> bodies) {
     truth.judge(Duration.ofNanos(nanos), bodies);
+    truePlaces =
+        bodies.stream()
+            .filter(body -> body.core().size() == 1)
+            .collect(Collectors.toMap(Body::name, body -> body.core().getFirst()));
     hasSeenCarriedLoad |= bodies.stream().anyMatch(body -> !body.carriers().isEmpty());
   }
 
@@ -206,6 +217,25 @@ final class LiveFloor {
       view = fleet.snapshots().latest();
     }
     return view;
+  }
+
+  /** Lets that much of the world's time go on. */
+  void pass(Duration time) throws InterruptedException {
+    long end = clock.nanos() + time.toNanos();
+    await(_ -> clock.nanos() >= end);
+  }
+
+  /** Where a robot's middle really is, map frame. */
+  Vec2 truePlace(String robot) {
+    return Objects.requireNonNull(truePlaces.get(robot));
+  }
+
+  /** The server is no more, and nobody tells the robots so; the world goes on by one step. */
+  void stepWithoutServer() {
+    while (!clock.isReady()) {
+      LockSupport.parkNanos(LOOK_AGAIN_NANOS);
+    }
+    clock.advance(VirtualClock.STEP);
   }
 
   private void step() throws InterruptedException {

@@ -394,6 +394,7 @@ public final class ScriptedRobot {
         condition.footprint,
         condition.sensorRange,
         condition.kind.word(),
+        0,
         true,
         pose,
         mode(),

@@ -5,8 +5,10 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
+import java.util.UUID;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionStage;
+import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.function.Function;
 import java.util.function.UnaryOperator;
 import java.util.stream.Collectors;
@@ -14,6 +16,8 @@ import org.jspecify.annotations.Nullable;
 import org.toqa.fleet.Answer;
 import org.toqa.fleet.FloorEditing;
 import org.toqa.fleet.Hold;
+import org.toqa.fleet.ManualAnswer;
+import org.toqa.fleet.ManualOrder;
 import org.toqa.fleet.PairingOrder;
 import org.toqa.fleet.RobotChange;
 import org.toqa.fleet.RobotMove;
@@ -35,6 +39,8 @@ import org.toqa.wording.Sentence;
 
 /** A fleet in memory: it does what it is told at once, and drives nothing by itself. */
 public final class TestFleet extends TasksInMemory {
+  private final List<ManualOrder> manualOrders = new CopyOnWriteArrayList<>();
+
   private final Schedules schedules;
   private final FloorsInMemory drawn = new FloorsInMemory(this);
 
@@ -141,6 +147,35 @@ public final class TestFleet extends TasksInMemory {
           return still.withWork(
               new Work(work.task(), work.phase(), true, work.charger(), work.doing()));
         });
+  }
+
+  @Override
+  public CompletionStage<Answer<ManualAnswer>> driveByHand(
+      String name, ManualOrder order, String user) {
+    UUID lease = order.lease() == null ? UUID.randomUUID() : order.lease();
+    manualOrders.add(order);
+    return change(name, known -> driven(known, user))
+        .thenApply(
+            answer ->
+                answer instanceof Answer.Accepted<RobotView>
+                    ? new Answer.Accepted<>(new ManualAnswer(lease, user, !order.isStop(), null))
+                    : answer.asRejection());
+  }
+
+  @Override
+  public CompletionStage<Answer<RobotView>> endManualDrive(String name, UUID lease, String user) {
+    return change(name, known -> driven(known, null));
+  }
+
+  /** Of whoever drove robots by hand, in their order. */
+  public List<ManualOrder> manualOrders() {
+    return List.copyOf(manualOrders);
+  }
+
+  private static RobotView driven(RobotView robot, @Nullable String driver) {
+    Work work = robot.work();
+    return robot.withWork(
+        new Work(work.task(), work.phase(), work.held(), work.charger(), work.doing(), driver));
   }
 
   @Override

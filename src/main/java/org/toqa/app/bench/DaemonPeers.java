@@ -174,6 +174,7 @@ final class DaemonPeers implements AutoCloseable {
         0.255,
         0.8,
         DriveKind.OMNI.word(),
+        0,
         true,
         place,
         Mode.FOLLOWING,

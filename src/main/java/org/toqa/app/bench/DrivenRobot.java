@@ -125,6 +125,7 @@ final class DrivenRobot implements AutoCloseable {
         diameter,
         0,
         DriveKind.OMNI.word(),
+        0,
         true,
         body.pose(),
         mode(),

@@ -1,5 +1,6 @@
 package org.toqa.app.demo;
 
+import java.io.IOException;
 import java.net.URI;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -58,6 +59,15 @@ public final class DemoCommand implements Callable<Integer> {
       description = "Run the first robot with the real firmware in a simulated microcontroller.")
   private boolean firmware;
 
+  @Option(
+      names = "--scenario",
+      defaultValue = "USUAL",
+      paramLabel = "NAME",
+      description =
+          "usual: simulated robots on four floors. building: one robot with two wheels on each of"
+              + " three floors, over HTTP and MQTT (default: usual).")
+  private Scenario scenario = Scenario.USUAL;
+
   @Mixin private SpeedOption speed = new SpeedOption();
 
   @Mixin private PortOption port = new PortOption();
@@ -76,9 +86,15 @@ public final class DemoCommand implements Callable<Integer> {
               + " per simulated second, as JSON lines.")
   private @Nullable Path bodies;
 
+  private enum Scenario {
+    USUAL,
+    BUILDING
+  }
+
   @Override
   public Integer call() throws Exception {
     checkRobots();
+    checkScenario();
     checkWritable("--report", report);
     checkWritable("--bodies", bodies);
     checkFirmware();
@@ -87,8 +103,14 @@ public final class DemoCommand implements Callable<Integer> {
         TemporaryFolder data = TemporaryFolder.create("toqa-demo")) {
       Configuration configuration =
           Configuration.of(WebappFolder.shippedMap(), List.of(settings(data.path())));
-      ServerOperation show = this::runRecorded;
+      ServerOperation show = scenario == Scenario.BUILDING ? this::runBuilding : this::runRecorded;
       return show.runWith(configuration, webapp, stop);
+    }
+  }
+
+  private int runBuilding(FleetServer toqa, URI address, StopSignal stop) throws Exception {
+    try (BuildingScenario _ = BuildingScenario.begin(toqa, USER)) {
+      return runDemo(toqa, address, stop);
     }
   }
 
@@ -128,7 +150,8 @@ public final class DemoCommand implements Callable<Integer> {
     System.err.println("  Ctrl-C ends everything; nothing is kept.");
     System.err.println();
     DemoTasks tasks = new DemoTasks(toqa.fleet(), toqa.fleetClock());
-    tasks.submit(DemoTasks.orders(robots), USER);
+    tasks.submit(
+        scenario == Scenario.BUILDING ? BuildingScenario.orders() : DemoTasks.orders(robots), USER);
     if (once) {
       boolean isDone = tasks.awaitEnd(stop, System.err::println);
       System.err.println();
@@ -143,11 +166,18 @@ public final class DemoCommand implements Callable<Integer> {
     return 0;
   }
 
-  private SettingSource settings(Path data) {
+  private SettingSource settings(Path data) throws IOException {
     Map<Setting, @Nullable String> options = new EnumMap<>(Setting.class);
-    options.put(Setting.MAP, WebappFolder.shippedMaps());
-    options.put(Setting.SIMULATE, robots + "," + DemoTasks.ROBOTS_ELSEWHERE);
-    options.put(Setting.SIMULATE_BATTERIES, BATTERIES);
+    if (scenario == Scenario.BUILDING) {
+      options.put(Setting.MAP, BuildingScenario.maps(data.resolve("maps")));
+      options.put(Setting.MQTT_BROKER, "embedded");
+      options.put(Setting.MQTT_PORT, "0");
+      options.put(Setting.MQTT_PLAIN, "true");
+    } else {
+      options.put(Setting.MAP, WebappFolder.shippedMaps());
+      options.put(Setting.SIMULATE, robots + "," + DemoTasks.ROBOTS_ELSEWHERE);
+      options.put(Setting.SIMULATE_BATTERIES, BATTERIES);
+    }
     options.put(Setting.MANAGER, USER + ":" + PASSWORD);
     options.put(Setting.ALLOCATOR, "zones"); // by the load, as Tanta does
     options.put(Setting.LOG_LEVEL, "WARN");
@@ -166,6 +196,16 @@ public final class DemoCommand implements Callable<Integer> {
               + "\": it must be a whole number from 1 to "
               + DemoTasks.MAX_ROBOTS
               + ".");
+    }
+  }
+
+  /** Its robots are no part of the simulated world: they live by the machine's clock. */
+  private void checkScenario() throws ConfigurationException {
+    boolean isWithSimulation = speed.value() != null || firmware || bodies != null;
+    if (scenario == Scenario.BUILDING && isWithSimulation) {
+      throw new ConfigurationException(
+          "--scenario building drives its robots over HTTP in real time: it goes with neither"
+              + " --speed, --firmware nor --bodies.");
     }
   }
 

@@ -89,7 +89,7 @@ final class DemoTasks {
     return order(name, load, start, goal, null);
   }
 
-  private static TaskOrder order(
+  static TaskOrder order(
       String name, double load, String start, String goal, @Nullable String floor) {
     return new TaskOrder(
         name, load, new Where.Station(start), new Where.Station(goal), floor, 0, null, null);

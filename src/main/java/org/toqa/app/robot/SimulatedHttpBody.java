@@ -52,14 +52,21 @@ final class SimulatedHttpBody implements AutoCloseable {
    * @param slip standard deviation of a wheel's slip, as a share of what it turns
    * @param sizeError standard deviation of a wheel's constant error in size, as a share of it
    * @param maxLoad kilograms
+   * @param surroundings is told where the body really is
    */
   SimulatedHttpBody(
-      @Nullable Path folder, Pose start, double slip, double sizeError, long seed, double maxLoad)
+      @Nullable Path folder,
+      Pose start,
+      double slip,
+      double sizeError,
+      long seed,
+      double maxLoad,
+      Surroundings surroundings)
       throws IOException {
     this.maxLoad = maxLoad;
     SimulatedWheels wheels = new SimulatedWheels(WHEELS, slip, sizeError);
     if (folder == null) {
-      chassis = new SimulatedChassis(start, wheels, seed);
+      chassis = new SimulatedChassis(start, wheels, seed, surroundings);
       boot = System.currentTimeMillis();
     } else {
       PrivateFolder.create(folder);
@@ -72,7 +79,7 @@ final class SimulatedHttpBody implements AutoCloseable {
               wheels,
               seed,
               new RangeSensors(FOOTPRINT / 2),
-              Surroundings.EMPTY);
+              surroundings);
     }
     reading = chassis.exchange(MoveAt.STANDSTILL, System.nanoTime());
   }

@@ -13,6 +13,7 @@ import java.time.Duration;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import org.jspecify.annotations.Nullable;
+import org.toqa.agent.chassis.Surroundings;
 import org.toqa.geometry.Pose;
 import org.toqa.link.http.HttpRobotCodec;
 import org.toqa.link.http.HttpRobotException;
@@ -99,6 +100,15 @@ public final class SimulatedHttpRobot implements AutoCloseable {
    * @throws IOException the port or the folder cannot be used; with a sentence for people
    */
   public SimulatedHttpRobot(Settings settings) throws IOException {
+    this(settings, Surroundings.EMPTY);
+  }
+
+  /**
+   * The same in a world.
+   *
+   * @param surroundings is told where the body really is
+   */
+  public SimulatedHttpRobot(Settings settings, Surroundings surroundings) throws IOException {
     token = settings.token();
     delay = settings.delay();
     body =
@@ -108,7 +118,8 @@ public final class SimulatedHttpRobot implements AutoCloseable {
             settings.slip(),
             settings.sizeError(),
             settings.seed(),
-            settings.maxLoad());
+            settings.maxLoad(),
+            surroundings);
     InetSocketAddress address = new InetSocketAddress(settings.address(), settings.port());
     try {
       server = server(address, settings.tls());

@@ -434,6 +434,11 @@ public final class FleetServer implements AutoCloseable {
     return services.fleet();
   }
 
+  /** Null: MQTT is not configured. */
+  public @Nullable Telemetry telemetry() {
+    return services.telemetry();
+  }
+
   Services services() {
     return services;
   }

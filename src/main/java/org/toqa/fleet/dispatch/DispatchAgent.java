@@ -232,6 +232,16 @@ final class DispatchAgent extends AbstractBehavior<DispatchMessage> {
       case DispatchMessage.SendHome m ->
           robotCommands.forwardToFloor(
               m.robot(), m.replyTo(), new FloorMessage.SendHome(m.robot(), m.user(), m.replyTo()));
+      case DispatchMessage.DriveByHand m ->
+          robotCommands.forwardToFloor(
+              m.robot(),
+              m.replyTo(),
+              new FloorMessage.DriveByHand(m.robot(), m.order(), m.user(), m.replyTo()));
+      case DispatchMessage.EndManualDrive m ->
+          robotCommands.forwardToFloor(
+              m.robot(),
+              m.replyTo(),
+              new FloorMessage.EndManualDrive(m.robot(), m.lease(), m.user(), m.replyTo()));
       case DispatchMessage.EditTask m -> taskChanges.edit(m);
       case DispatchMessage.EditChecked m -> taskCommands.commandTask(TaskChangeHandler.command(m));
       case DispatchMessage.DeleteTask m -> taskChanges.delete(m);

@@ -15,6 +15,8 @@ import org.jspecify.annotations.Nullable;
 import org.toqa.fleet.Answer;
 import org.toqa.fleet.BatchAnswer;
 import org.toqa.fleet.Hold;
+import org.toqa.fleet.ManualAnswer;
+import org.toqa.fleet.ManualOrder;
 import org.toqa.fleet.OperatorHold;
 import org.toqa.fleet.PairingOrder;
 import org.toqa.fleet.PathAnswer;
@@ -229,6 +231,19 @@ public sealed interface DispatchMessage {
 
   record SendHome(String robot, String user, ActorRef<StatusReply<Answer<RobotView>>> replyTo)
       implements DispatchMessage {}
+
+  /** A person who drives a robot by hand wants a step more. */
+  record DriveByHand(
+      String robot,
+      ManualOrder order,
+      String user,
+      ActorRef<StatusReply<Answer<ManualAnswer>>> replyTo)
+      implements DispatchMessage {}
+
+  /** He drives it no longer. It overtakes what came before it. */
+  record EndManualDrive(
+      String robot, UUID lease, String user, ActorRef<StatusReply<Answer<RobotView>>> replyTo)
+      implements DispatchMessage, ControlMessage {}
 
   /**
    * All floors are paused, or go on. It overtakes what came before it.

@@ -21,6 +21,8 @@ import org.slf4j.LoggerFactory;
 import org.toqa.fleet.Answer;
 import org.toqa.fleet.BatchAnswer;
 import org.toqa.fleet.Hold;
+import org.toqa.fleet.ManualAnswer;
+import org.toqa.fleet.ManualOrder;
 import org.toqa.fleet.PairingOrder;
 import org.toqa.fleet.PathAnswer;
 import org.toqa.fleet.PathQuestion;
@@ -265,6 +267,15 @@ public final class FloorFleet implements AutoCloseable {
 
   public CompletionStage<Answer<RobotView>> sendHome(String robot, String user) {
     return dispatch.ask(replyTo -> new DispatchMessage.SendHome(robot, user, replyTo));
+  }
+
+  public CompletionStage<Answer<ManualAnswer>> driveByHand(
+      String robot, ManualOrder order, String user) {
+    return dispatch.ask(replyTo -> new DispatchMessage.DriveByHand(robot, order, user, replyTo));
+  }
+
+  public CompletionStage<Answer<RobotView>> endManualDrive(String robot, UUID lease, String user) {
+    return dispatch.ask(replyTo -> new DispatchMessage.EndManualDrive(robot, lease, user, replyTo));
   }
 
   public CompletionStage<Answer<TaskView>> commandTask(

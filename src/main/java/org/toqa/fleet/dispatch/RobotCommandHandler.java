@@ -223,8 +223,8 @@ final class RobotCommandHandler {
         new FloorMessage.SetInService(m.robot(), m.inService(), m.user(), m.replyTo()));
   }
 
-  void forwardToFloor(
-      String robot, ActorRef<StatusReply<Answer<RobotView>>> replyTo, FloorMessage message) {
+  <T> void forwardToFloor(
+      String robot, ActorRef<StatusReply<Answer<T>>> replyTo, FloorMessage message) {
     if (state.robots.containsKey(robot)) {
       state.floorAgent.tell(message);
     } else {

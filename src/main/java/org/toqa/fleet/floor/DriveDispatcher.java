@@ -46,6 +46,10 @@ final class DriveDispatcher {
       cancelUnwantedDrive(robot);
       return;
     }
+    if (robot.manual.isActive()) {
+      yieldToHand(robot);
+      return;
+    }
     DriveGoal goal = robot.activeGoal();
     boolean isOnOtherDrive = !robot.isStanding() && (goal == null || !robot.isDrivingTo(goal));
     boolean isStray =
@@ -83,6 +87,14 @@ final class DriveDispatcher {
     } else if (!isWaiting) {
       setWaitReason(robot, goal == null ? null : trafficWaitReason(robot.name()));
     }
+  }
+
+  /** A person drives it: it is planned nothing. */
+  private void yieldToHand(FloorRobot robot) {
+    state.traffic.setMovable(robot.name(), false);
+    state.traffic.setDiameter(robot.name(), state.diameter(robot));
+    state.traffic.setGoal(robot.name(), null, state.now);
+    setWaitReason(robot, null);
   }
 
   /** How it shall face: as its goal says, or alone as the place says that is there. */
@@ -332,7 +344,7 @@ final class DriveDispatcher {
     }
   }
 
-  private void sendDecision(FloorRobot robot, DriveCommand decision) {
+  void sendDecision(FloorRobot robot, DriveCommand decision) {
     switch (decision) {
       case DriveCommand.Begin begin -> {
         DriveGoal goal = robot.drive.goal();

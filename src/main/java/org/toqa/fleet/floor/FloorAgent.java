@@ -54,6 +54,7 @@ public final class FloorAgent extends AbstractBehavior<FloorMessage> {
   private final RobotEventHandler robotEventHandler;
   private final ActorRef<RobotEvent> robotEvents;
   private final DriveDispatcher drives;
+  private final ManualDriveHandler manualDrives;
 
   /** How many robots have come, those included that were removed. */
   private long joined;
@@ -129,6 +130,7 @@ public final class FloorAgent extends AbstractBehavior<FloorMessage> {
     clearCommands = new ClearCommandHandler(state, reports, context.getSelf());
     robotEvents = context.messageAdapter(RobotEvent.class, FloorMessage.FromRobot::new);
     drives = new DriveDispatcher(state, missions);
+    manualDrives = new ManualDriveHandler(state, reports, drives);
     for (StoredRobot stored : memory.robots()) {
       startRobot(stored.record(), new OperatorSettings(!stored.outOfService(), stored.held()));
     }
@@ -165,6 +167,8 @@ public final class FloorAgent extends AbstractBehavior<FloorMessage> {
       case FloorMessage.ClearStops m -> clearCommands.clearStops(m);
       case FloorMessage.ClearStored m -> clearCommands.clearStored(m.command());
       case FloorMessage.SendHome m -> operatorCommands.sendHome(m);
+      case FloorMessage.DriveByHand m -> manualDrives.drive(m);
+      case FloorMessage.EndManualDrive m -> manualDrives.end(m);
       case FloorMessage.LocateRobot m -> operatorCommands.locateRobot(m);
       case FloorMessage.SetInService m -> operatorCommands.setInService(m);
       case FloorMessage.ServiceStored m ->
@@ -239,6 +243,7 @@ public final class FloorAgent extends AbstractBehavior<FloorMessage> {
       robotEventHandler.updateStoreLimit(robot);
       missions.checkRobot(robot);
       holds.updateHold(robot);
+      manualDrives.update(robot);
       homing.sendIdleHome(robot);
       drives.updateRobot(robot);
     }

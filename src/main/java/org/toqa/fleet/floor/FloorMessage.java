@@ -3,6 +3,7 @@ package org.toqa.fleet.floor;
 import java.time.Instant;
 import java.util.List;
 import java.util.Set;
+import java.util.UUID;
 import org.apache.pekko.actor.typed.ActorRef;
 import org.apache.pekko.dispatch.ControlMessage;
 import org.apache.pekko.pattern.StatusReply;
@@ -10,6 +11,8 @@ import org.jspecify.annotations.Nullable;
 import org.toqa.fleet.Answer;
 import org.toqa.fleet.ChargeRecord;
 import org.toqa.fleet.Hold;
+import org.toqa.fleet.ManualAnswer;
+import org.toqa.fleet.ManualOrder;
 import org.toqa.fleet.RobotMove;
 import org.toqa.fleet.RobotRecord;
 import org.toqa.fleet.RobotView;
@@ -99,6 +102,19 @@ public sealed interface FloorMessage {
   /** A person sends an idle robot to its parking point. */
   record SendHome(String robot, String user, ActorRef<StatusReply<Answer<RobotView>>> replyTo)
       implements FloorMessage {}
+
+  /** A person who drives a robot by hand wants a step more. */
+  record DriveByHand(
+      String robot,
+      ManualOrder order,
+      String user,
+      ActorRef<StatusReply<Answer<ManualAnswer>>> replyTo)
+      implements FloorMessage {}
+
+  /** He drives it no longer. */
+  record EndManualDrive(
+      String robot, UUID lease, String user, ActorRef<StatusReply<Answer<RobotView>>> replyTo)
+      implements FloorMessage, ControlMessage {}
 
   record AddRobot(
       RobotRecord robot, boolean inService, ActorRef<StatusReply<Answer<RobotView>>> replyTo)

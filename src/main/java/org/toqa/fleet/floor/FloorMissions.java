@@ -149,7 +149,10 @@ final class FloorMissions {
 
   private boolean isFree(String robot) {
     FloorRobot known = state.robots.get(robot);
-    return known != null && known.settings.isInService() && !known.charging.hasTurn();
+    return known != null
+        && known.settings.isInService()
+        && !known.charging.hasTurn()
+        && !known.manual.isActive();
   }
 
   /**

@@ -46,6 +46,9 @@ final class FloorRobot {
   final ChargingState charging = new ChargingState();
   final HoldState hold = new HoldState();
 
+  /** Who drives it by hand. */
+  final ManualControl manual = new ManualControl();
+
   /** That it is stopped and has nothing to do. */
   final ConditionTimer idle = new ConditionTimer();
 
@@ -175,7 +178,8 @@ final class FloorRobot {
             work == null ? Phase.NONE : work.phase(),
             hold.isHeld(),
             charging.turn().map(Turn::point).orElse(null),
-            activity(work)),
+            activity(work),
+            manual.driver()),
         reported.report().telemetry(),
         path,
         reported.alert() == null ? charging.alert() : reported.alert(),
@@ -206,6 +210,10 @@ final class FloorRobot {
     Sentence held = hold.reason();
     if (held != null) {
       return held;
+    }
+    String driver = manual.driver();
+    if (driver != null) {
+      return Phrase.DRIVEN_BY_HAND.with(driver);
     }
     Sentence charges = charging.status();
     if (charges != null && (work == null || work.task() == null)) {

@@ -33,6 +33,10 @@ final class HomeDispatcher {
     if (robot.charging.hasTurn()) {
       return Phrase.HOME_AFTER_CHARGING.with(robot.name());
     }
+    String driver = robot.manual.driver();
+    if (driver != null) {
+      return Phrase.DRIVEN_BY_ANOTHER.with(robot.name(), driver);
+    }
     if (state.parkingPoint(robot.name()).isEmpty()) {
       return Phrase.HAS_NO_HOME.with(robot.name());
     }
@@ -51,6 +55,7 @@ final class HomeDispatcher {
             && robot.isStanding()
             && robot.isFit()
             && !robot.hold.isHeld()
+            && !robot.manual.isActive()
             && state.missions.missionOf(robot.name()).isEmpty();
     if (robot.idle.update(isIdle, HOME_AFTER, state.now)) {
       state

@@ -101,7 +101,8 @@ final class ReportedState {
             DriveSpeeds.DEFAULT.atMost(hello.maxSpeed(), hello.maxTurnRate()),
             hello.maxLoad(),
             hello.sensorRange(),
-            hello.driveKind());
+            hello.driveKind(),
+            Math.clamp(hello.track(), 0, hello.footprint()));
     alert = null;
     unreachable = null;
     rejectedChange = null;

@@ -32,6 +32,8 @@ import org.toqa.fleet.FleetStore;
 import org.toqa.fleet.FloorEditing;
 import org.toqa.fleet.FloorStore;
 import org.toqa.fleet.Hold;
+import org.toqa.fleet.ManualAnswer;
+import org.toqa.fleet.ManualOrder;
 import org.toqa.fleet.PairingOrder;
 import org.toqa.fleet.PathAnswer;
 import org.toqa.fleet.PathQuestion;
@@ -400,6 +402,17 @@ public final class AgentFleet implements Fleet, AutoCloseable {
   @Override
   public CompletionStage<Answer<RobotView>> sendHome(String robot, String user) {
     return router.askFloorOf(robot, floor -> floor.sendHome(robot, user));
+  }
+
+  @Override
+  public CompletionStage<Answer<ManualAnswer>> driveByHand(
+      String robot, ManualOrder order, String user) {
+    return router.askFloorOfAtOnce(robot, floor -> floor.driveByHand(robot, order, user));
+  }
+
+  @Override
+  public CompletionStage<Answer<RobotView>> endManualDrive(String robot, UUID lease, String user) {
+    return router.askFloorOfAtOnce(robot, floor -> floor.endManualDrive(robot, lease, user));
   }
 
   @Override

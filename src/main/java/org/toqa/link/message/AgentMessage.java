@@ -54,6 +54,7 @@ public sealed interface AgentMessage {
    * @param footprint diameter in metres
    * @param sensorRange metres that its range sensors see from its rim; 0: it has none
    * @param kind how it can move: the word of a {@link DriveKind}
+   * @param track metres between its two wheels; 0: it has others, or does not tell
    * @param localised whether the robot trusts its pose; if not, it drives nothing until {@code
    *     locate}
    * @param pose map frame
@@ -75,6 +76,7 @@ public sealed interface AgentMessage {
       double footprint,
       double sensorRange,
       String kind,
+      double track,
       boolean localised,
       Pose pose,
       Mode mode,

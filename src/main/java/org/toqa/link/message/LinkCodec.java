@@ -232,6 +232,7 @@ public final class LinkCodec {
         addNullIfMissing(message, "arm");
         addNullIfMissing(message, "act");
         addNullIfMissing(message, "acted");
+        addIfMissing(message, "track", 0);
       }
       case "state" -> {
         addNullIfMissing(message, "placeError");

@@ -14,6 +14,7 @@ import java.util.function.Supplier;
 import java.util.stream.Collectors;
 import org.jspecify.annotations.Nullable;
 import org.toqa.geometry.Pose;
+import org.toqa.geometry.Twist;
 import org.toqa.geometry.Vec2;
 import org.toqa.grid.Margins;
 import org.toqa.grid.Moves;
@@ -62,6 +63,7 @@ public final class FloorTraffic {
   private final PathAssigner pathAssigner;
   private final SectionReleaser releaser;
   private final Claims claims;
+  private final ManualSteps manualSteps;
   private final StandstillDetector standstillDetector = new StandstillDetector();
   private final WaitChains waitChains = new WaitChains();
   private final ReplanTrigger trigger = new ReplanTrigger();
@@ -116,6 +118,7 @@ public final class FloorTraffic {
       Executor planning) {
     this.grid = grid;
     this.claims = new Claims(robots.values());
+    this.manualSteps = new ManualSteps(grid, margins, claims);
     this.releaser = new SectionReleaser(new SectionFitter(), robots, claims, trigger);
     this.pathAssigner =
         new PathAssigner(
@@ -162,7 +165,7 @@ public final class FloorTraffic {
     }
     robot.setPose(robot.pose(), diameter / 2);
     freeUnreleased(robot);
-    freePathsNear(robot);
+    freePathsNear(robot, List.of(robot.standingArea()));
     trigger.markChanged();
   }
 
@@ -170,14 +173,14 @@ public final class FloorTraffic {
   private void freePathsThrough(TrafficRobot robot, List<SweptArea> known) {
     boolean isExpected = known.stream().anyMatch(robot::isWithin);
     if (!isExpected) {
-      freePathsNear(robot);
+      freePathsNear(robot, List.of(robot.standingArea()));
     }
   }
 
-  private void freePathsNear(TrafficRobot robot) {
-    SweptArea standing = robot.standingArea();
+  private void freePathsNear(TrafficRobot robot, List<SweptArea> areas) {
     robots.values().stream()
-        .filter(other -> other != robot && other.drive.hasUnreleasedNear(standing))
+        .filter(other -> other != robot)
+        .filter(other -> areas.stream().anyMatch(other.drive::hasUnreleasedNear))
         .forEach(this::freeUnreleased);
   }
 
@@ -391,7 +394,33 @@ public final class FloorTraffic {
     ReservedPath path = drive.path();
     return path == null
         ? RemainingPath.NONE
-        : RemainingPath.of(path, drive.completed(), drive.released(), robot.pose());
+        : RemainingPath.of(
+            path,
+            drive.completed(),
+            drive.released(),
+            robot.pose(),
+            drive.openSection().map(open -> PathDeviation.of(open, robot.pose())));
+  }
+
+  /**
+   * A person drives the robot by hand, and wants it to go on so behind what it may drive. It must
+   * not be movable ({@link #setMovable}), so that nothing else is planned for it, and must stand or
+   * drive what was granted here. What others were to drive near it, they are planned anew.
+   *
+   * @param twist vx metres a second, w radians a second; not both 0
+   * @param ahead seconds of driving that the robot shall have then, all in all
+   */
+  public ManualStep takeManualStep(String name, Twist twist, double ahead) {
+    TrafficRobot robot = robot(name);
+    if (robot.isMovable()) {
+      throw new IllegalArgumentException(name + " drives by itself.");
+    }
+    claims.refresh();
+    ManualStep step = manualSteps.take(robot, obstacles, twist, ahead);
+    if (step instanceof ManualStep.Granted) {
+      freePathsNear(robot, robot.allocated());
+    }
+    return step;
   }
 
   /** Has paths planned for whoever needs one, and releases what can be. */

@@ -2,6 +2,8 @@ package org.toqa.traffic.floor;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
+import org.jspecify.annotations.Nullable;
 import org.toqa.geometry.Pose;
 import org.toqa.geometry.Vec2;
 import org.toqa.motion.Segment;
@@ -10,10 +12,11 @@ import org.toqa.motion.Segment;
  * The rest of a robot's path as a line, map frame.
  *
  * @param released how many of the points it may drive to
+ * @param deviation how far it is off that; null while it may drive none of it
  */
-public record RemainingPath(List<Vec2> points, int released) {
+public record RemainingPath(List<Vec2> points, int released, @Nullable PathDeviation deviation) {
 
-  public static final RemainingPath NONE = new RemainingPath(List.of(), 0);
+  public static final RemainingPath NONE = new RemainingPath(List.of(), 0, null);
 
   /** An arc is drawn in pieces of at most this angle, radians. */
   private static final double MAX_ARC_PIECE = 0.3;
@@ -25,7 +28,8 @@ public record RemainingPath(List<Vec2> points, int released) {
   /**
    * @param done so many sections are completed; the robot is on the next one
    */
-  static RemainingPath of(ReservedPath path, int done, int released, Pose now) {
+  static RemainingPath of(
+      ReservedPath path, int done, int released, Pose now, Optional<PathDeviation> deviation) {
     List<Vec2> points = new ArrayList<>(List.of(now.position()));
     int releasedPoints = 1;
     for (int i = done; i < path.sectionCount(); i++) {
@@ -35,7 +39,7 @@ public record RemainingPath(List<Vec2> points, int released) {
         releasedPoints = points.size();
       }
     }
-    return new RemainingPath(points, releasedPoints);
+    return new RemainingPath(points, releasedPoints, deviation.orElse(null));
   }
 
   /** One section, from where it begins. */

@@ -10,6 +10,7 @@ import org.toqa.fleet.RobotView;
 import org.toqa.geometry.Pose;
 import org.toqa.geometry.Vec2;
 import org.toqa.link.message.AgentMessage.Fault;
+import org.toqa.traffic.floor.PathDeviation;
 import org.toqa.wording.Sentence;
 
 /** A robot on the wire; flat, its path as it is drawn. */
@@ -45,7 +46,11 @@ public record RobotJson(
     @Nullable Double measuredLoad,
     double sensorRange,
     @Nullable Double toldLoad,
-    String link) {
+    String link,
+    String kind,
+    double track,
+    @Nullable DeviationJson deviation,
+    @Nullable String driver) {
 
   /** Metres a second forward, radians a second counter-clockwise. */
   private record TwistJson(double v, double w) {
@@ -53,6 +58,19 @@ public record RobotJson(
       Double v = readings.speed();
       Double w = readings.turnRate();
       return v == null || w == null ? null : new TwistJson(v, w);
+    }
+  }
+
+  /** Metres to the left of its path, radians counter-clockwise; to be read, so rounded. */
+  private record DeviationJson(double crossTrack, double heading) {
+    static @Nullable DeviationJson of(@Nullable PathDeviation deviation) {
+      return deviation == null
+          ? null
+          : new DeviationJson(rounded(deviation.crossTrack()), rounded(deviation.heading()));
+    }
+
+    private static double rounded(double value) {
+      return Math.round(1000 * value) / 1000.0;
     }
   }
 
@@ -93,6 +111,10 @@ public record RobotJson(
         seen.readings().measuredLoad(),
         view.capabilities().sensorRange(),
         view.capabilities().isLoadKnown() ? view.capabilities().maxLoad() : null,
-        stored.isHttp() ? "http" : "toqa");
+        stored.isHttp() ? "http" : "toqa",
+        view.capabilities().kind().word(),
+        view.capabilities().track(),
+        DeviationJson.of(view.path().deviation()),
+        work.driver());
   }
 }

@@ -9,6 +9,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.Set;
+import java.util.UUID;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
@@ -43,6 +44,11 @@ public final class InputRules {
 
   /** Seconds. */
   private static final int MAX_STOP_WAIT = 86_400;
+
+  private static final UUID NO_LEASE = new UUID(0, 0);
+
+  /** 2^53: up to here every whole number is exact in any language's JSON. */
+  private static final double MAX_ORDER_NUMBER = 0x1p53;
 
   static final int MAX_PRIORITY = 100;
 
@@ -132,6 +138,43 @@ public final class InputRules {
     }
     if (!(Math.abs(given) <= 1000)) {
       refuse(field, "error.angle.range");
+    }
+    return given;
+  }
+
+  /** What the answer to the first order of a drive by hand told; null where none is given. */
+  public @Nullable UUID lease(String field, @Nullable String given) {
+    if (given == null) {
+      return null;
+    }
+    try {
+      return UUID.fromString(given);
+    } catch (IllegalArgumentException notOurs) {
+      refuse(field, "error.lease");
+      return null;
+    }
+  }
+
+  /** The same where there must be one. */
+  public UUID requiredLease(String field, @Nullable String given) {
+    UUID lease = lease(field, given == null ? "" : given);
+    return lease == null ? NO_LEASE : lease;
+  }
+
+  /** A whole number that rises from order to order. */
+  public long orderNumber(String field, @Nullable Double given) {
+    if (given == null || given != Math.rint(given) || !(given >= 0 && given <= MAX_ORDER_NUMBER)) {
+      refuse(field, "error.orderNumber");
+      return 0;
+    }
+    return given.longValue();
+  }
+
+  /** Either way, up to a limit. */
+  public double manualSpeed(String field, @Nullable Double given, double limit) {
+    if (given == null || !(Math.abs(given) <= limit)) {
+      refuse(field, "error.manualSpeed", limit);
+      return 0;
     }
     return given;
   }

@@ -39,6 +39,7 @@ import org.toqa.web.api.LabExperimentsResource;
 import org.toqa.web.api.LabRunResource;
 import org.toqa.web.api.LabRunsResource;
 import org.toqa.web.api.LoadsResource;
+import org.toqa.web.api.ManualDriveResource;
 import org.toqa.web.api.MapResource;
 import org.toqa.web.api.MetricsResource;
 import org.toqa.web.api.OpenApiResource;
@@ -66,6 +67,7 @@ import org.toqa.web.api.UserResource;
 import org.toqa.web.api.UsersResource;
 import org.toqa.web.live.EventsResource;
 import org.toqa.web.page.ApiDocumentPage;
+import org.toqa.web.page.ControlPage;
 import org.toqa.web.page.EditTaskPage;
 import org.toqa.web.page.FirstStartPage;
 import org.toqa.web.page.FleetForms;
@@ -149,6 +151,7 @@ public final class Routes {
           get("/robots", VIEW, RobotsPage::show),
           post("/robots", MANAGE, RobotsPage::add),
           get("/robots/{name}", VIEW, RobotPage::show),
+          get("/robots/{name}/control", VIEW, ControlPage::show),
           post("/robots/{name}/locate", OPERATE, RobotPage::locate),
           post("/robots/{name}/move", MANAGE, RobotPage::move),
           post("/robots/{name}/out-of-service", OPERATE, RobotPage::takeOutOfService),
@@ -257,6 +260,8 @@ public final class Routes {
           post("/api/v1/robots/{name}/clear", OPERATE, RobotResource::clear),
           post("/api/v1/robots/{name}/home", OPERATE, RobotResource::sendHome),
           post("/api/v1/robots/{name}/pair", MANAGE, RobotResource::pair),
+          post("/api/v1/robots/{name}/drive", OPERATE, ManualDriveResource::drive).with(URGENT),
+          delete("/api/v1/robots/{name}/drive", OPERATE, ManualDriveResource::end).with(URGENT),
           get("/api/v1/users", SIGNED_IN, UsersResource::list),
           post("/api/v1/users", MANAGE, UsersResource::add).with(EVERY_SITE),
           get("/api/v1/users/{id}", SIGNED_IN, UserResource::get),

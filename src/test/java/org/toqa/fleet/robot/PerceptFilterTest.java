@@ -131,6 +131,7 @@ class PerceptFilterTest {
           0.255,
           0.8,
           DriveKind.OMNI.word(),
+          0,
           true,
           new Pose(5, 5, 0),
           Mode.IDLE,

@@ -19,6 +19,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.toqa.accounts.Role;
+import org.toqa.fleet.ManualOrder;
 import org.toqa.fleet.RobotState;
 import org.toqa.fleet.RobotView;
 import org.toqa.geometry.Pose;
@@ -292,6 +293,70 @@ class ManagerPagesInBrowserTest extends PagesInBrowser {
     assertThat(page.locator("main > [role=alert]")).hasCount(0);
     assertThat(page.locator("dl").first()).containsText(":7400");
     assertThat(page.locator("dl").first()).containsText("P2");
+  }
+
+  @Test
+  void aRobotIsDrivenByHandAsLongAsAButtonOrAKeyIsPressed() {
+    Page page = loggedIn(WebTestServer.MANAGER, PHONE, "robots/r2/control");
+    int begun = server.fleet().manualOrders().size();
+    button(page, "Drive by hand").click();
+    Locator forward = button(page, "Forward");
+    assertFits(page, "control-hand", DARK_PHONE, PHONE);
+    int before = server.fleet().manualOrders().size();
+    forward.hover();
+    page.mouse().down();
+    page.waitForCondition(() -> server.fleet().manualOrders().size() > before + 3);
+    assertEquals(ManualOrder.MAX_SPEED, lastManualOrder().speed());
+    page.mouse().up();
+    page.waitForCondition(() -> lastManualOrder().isStop());
+
+    page.keyboard().down("ArrowUp");
+    page.keyboard().down("ArrowLeft");
+    page.waitForCondition(() -> lastManualOrder().turnRate() > 0 && lastManualOrder().speed() > 0);
+    page.keyboard().up("ArrowUp");
+    page.keyboard().up("ArrowLeft");
+    page.waitForCondition(() -> lastManualOrder().isStop());
+
+    page.keyboard().down("ArrowDown");
+    page.waitForCondition(() -> lastManualOrder().speed() < 0);
+    page.evaluate("dispatchEvent(new Event('blur'))"); // another window is before it
+    page.waitForCondition(() -> lastManualOrder().isStop());
+    List<Long> numbers =
+        server.fleet().manualOrders().stream().skip(begun).map(ManualOrder::number).toList();
+    assertEquals(numbers.stream().distinct().toList(), numbers);
+
+    button(page, "Stop driving by hand").click();
+    assertThat(button(page, "Drive by hand")).isVisible();
+    page.waitForCondition(() -> driver("r2") == null);
+  }
+
+  private ManualOrder lastManualOrder() {
+    return server.fleet().manualOrders().getLast();
+  }
+
+  private @Nullable String driver(String robot) {
+    return server.fleet().snapshots().latest().robots().stream()
+        .filter(r -> r.name().equals(robot))
+        .findFirst()
+        .orElseThrow()
+        .work()
+        .driver();
+  }
+
+  @Test
+  void aRobotIsStoppedAndStartedOnItsControlPageWhichSaysWhoDrivesIt() {
+    Page page = loggedIn(WebTestServer.MANAGER, DESK, "robots/r2/control");
+    button(page, "Stop").first().click();
+    assertThat(page.locator(".heading .state")).hasText("On hold");
+    button(page, "Start").click();
+    assertThat(page.locator(".heading .state")).hasText("Idle");
+    var _ = server.fleet().driveByHand("r2", new ManualOrder(null, 1, 0, 0), "Ana");
+    assertThat(page.locator("#driver")).hasText("Ana drives r2 by hand.");
+    assertThat(button(page, "Drive by hand")).isDisabled();
+    page.navigate(server.root() + "robots/r1/control");
+    assertThat(page.locator("#value-crossTrack")).hasText("12 mm");
+    assertThat(page.locator("#value-heading")).hasText("-1.7°"); // -0.03 rad
+    assertFits(page, "control", DARK, PHONE, DESK);
   }
 
   @Test

@@ -29,6 +29,7 @@ import org.toqa.link.message.AgentMessage.Fault;
 import org.toqa.mission.Phase;
 import org.toqa.testbed.BrowserTest;
 import org.toqa.testbed.Hall;
+import org.toqa.traffic.floor.PathDeviation;
 import org.toqa.traffic.floor.RemainingPath;
 import org.toqa.web.TestClient;
 import org.toqa.web.WebTestServer;
@@ -245,7 +246,8 @@ abstract class PagesInBrowser extends BrowserTest {
             new RemainingPath(
                 List.of(
                     new Vec2(5.4, 4.6), new Vec2(6.15, 3.15), new Vec2(8, 3.1), new Vec2(9, 1.05)),
-                2));
+                2,
+                new PathDeviation(0.012, -0.03)));
   }
 
   static RobotView troubled(RobotView still, List<Fault> errors, @Nullable String alert) {

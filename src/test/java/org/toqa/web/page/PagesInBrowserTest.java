@@ -37,6 +37,7 @@ class PagesInBrowserTest extends PagesInBrowser {
           "floors",
           "floors/hall/edit",
           "robots/r5",
+          "robots/r1/control",
           "users",
           "users/1",
           "users/2",

@@ -137,6 +137,12 @@ public final class SimulatedChassis implements Chassis {
 
   /** A new body that nothing is kept of, with a full battery. */
   public SimulatedChassis(Pose start, SimulatedWheels wheels, long seed) {
+    this(start, wheels, seed, Surroundings.EMPTY);
+  }
+
+  /** The same among obstacles. */
+  public SimulatedChassis(
+      Pose start, SimulatedWheels wheels, long seed, Surroundings surroundings) {
     this(
         new SimulatedChassisFile(),
         start,
@@ -144,7 +150,7 @@ public final class SimulatedChassis implements Chassis {
         wheels,
         seed,
         DEFAULT_SENSORS,
-        Surroundings.EMPTY);
+        surroundings);
   }
 
   private SimulatedChassis(

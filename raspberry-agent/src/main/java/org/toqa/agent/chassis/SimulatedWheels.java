@@ -35,6 +35,14 @@ public record SimulatedWheels(WheelKinematics kinematics, double slip, double si
     };
   }
 
+  /** Metres between the wheels of a body that has two; 0: it has others. */
+  public double track() {
+    return switch (kinematics) {
+      case ThreeWheelKinematics _ -> 0;
+      case DifferentialKinematics(double _, double metres) -> metres;
+    };
+  }
+
   /**
    * Three omnidirectional wheels.
    *

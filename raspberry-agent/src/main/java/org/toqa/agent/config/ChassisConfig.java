@@ -3,12 +3,14 @@ package org.toqa.agent.config;
 import java.nio.file.Path;
 import org.jspecify.annotations.Nullable;
 import org.toqa.agent.chassis.SimulatedBattery;
+import org.toqa.agent.chassis.SimulatedWheels;
 import org.toqa.agent.chassis.Surroundings;
 import org.toqa.agent.firmware.FirmwareSettings;
 import org.toqa.geometry.Pose;
 import org.toqa.link.http.ExchangeListener;
 import org.toqa.link.http.HttpRobotClient;
 import org.toqa.link.http.RobotDescription;
+import org.toqa.motion.DriveKind;
 import org.toqa.motion.ThreeWheelKinematics;
 
 /** The body under a daemon, as its configuration names it. */
@@ -37,6 +39,11 @@ public sealed interface ChassisConfig {
     return 10;
   }
 
+  /** Metres between the wheels of a robot that has two; 0: it has others, or nobody said it. */
+  default double track(DriveKind kind) {
+    return 0;
+  }
+
   /**
    * A body that is simulated as a whole.
    *
@@ -63,6 +70,11 @@ public sealed interface ChassisConfig {
     @Override
     public double mostTurnRate() {
       return 20;
+    }
+
+    @Override
+    public double track(DriveKind kind) {
+      return SimulatedWheels.of(kind, 0).track();
     }
 
     /** One on an endless empty floor. */
@@ -123,7 +135,13 @@ public sealed interface ChassisConfig {
    * @param listener is told of each exchange, in the thread that ticks
    */
   record Http(HttpRobotClient robot, RobotDescription description, ExchangeListener listener)
-      implements ChassisConfig {}
+      implements ChassisConfig {
+
+    @Override
+    public double track(DriveKind kind) {
+      return description.track();
+    }
+  }
 
   /**
    * @param file of the configuration; a relative path in it counts from there

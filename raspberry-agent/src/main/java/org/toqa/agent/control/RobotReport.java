@@ -53,6 +53,7 @@ public record RobotReport(
         config.footprint(),
         RangeSensors.FARTHEST,
         config.kind().word(),
+        config.chassis().track(config.kind()),
         isLocalised,
         pose,
         mode,

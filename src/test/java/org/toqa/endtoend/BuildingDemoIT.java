@@ -1,0 +1,112 @@
+package org.toqa.endtoend;
+
+import static com.microsoft.playwright.assertions.PlaywrightAssertions.assertThat;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import com.microsoft.playwright.Locator;
+import com.microsoft.playwright.Page;
+import com.microsoft.playwright.options.AriaRole;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.regex.Pattern;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.toqa.testbed.BrowserTest;
+import org.toqa.testbed.ToqaProcess;
+import tools.jackson.databind.JsonNode;
+import tools.jackson.databind.json.JsonMapper;
+
+/**
+ * CSM-MAMRS as a user sees it: three floors, robots over HTTP and MQTT, and their control pages.
+ */
+@Tag("full")
+class BuildingDemoIT extends BrowserTest {
+  private static final String ADDRESS = "Toqa is at (\\S+)";
+
+  @TempDir private Path folder;
+
+  @Test
+  void theTasksOfTheBuildingAreDoneAndReported() throws Exception {
+    Path report = folder.resolve("report.json");
+    try (ToqaProcess demo =
+        ToqaProcess.toqa(
+            folder,
+            "demo",
+            "--scenario",
+            "building",
+            "--once",
+            "--port",
+            "0",
+            "--report",
+            report.toString())) {
+      assertEquals(0, demo.exitCode());
+    }
+    JsonNode tasks = JsonMapper.builder().build().readTree(Files.readString(report)).get("tasks");
+    assertEquals(4, tasks.size());
+    tasks.forEach(task -> assertEquals("DONE", task.get("state").asString(), task.toString()));
+  }
+
+  @Test
+  void aRobotIsWatchedStoppedAndDrivenByHandOnItsControlPage() throws Exception {
+    Page page = page();
+    page.setViewportSize(390, 844);
+    try (ToqaProcess demo =
+        ToqaProcess.toqa(folder, "demo", "--scenario", "building", "--port", "0")) {
+      String root = demo.awaitErr(ADDRESS).group(1);
+      page.navigate(root);
+      page.getByLabel("Name").fill("demo");
+      page.getByLabel("Password").fill("demo-robots");
+      page.locator("main button").click();
+      assertThat(page.locator("#map")).isVisible();
+      page.navigate(root + "robots/r2/control");
+
+      // watched while it works
+      assertThat(page.locator(".heading .state")).hasText("Driving");
+      assertThat(page.locator("#gauge-left .caption")).hasText("Left wheel");
+      assertThat(page.locator("#gauge-left output"))
+          .hasText(Pattern.compile("0\\.[0-9]*[1-9] m/s"));
+      assertThat(page.locator("#value-crossTrack")).hasText(Pattern.compile("-?[0-9]+ mm"));
+      assertThat(page.locator("#ranges li")).hasCount(3);
+      assertThat(page.locator("#ranges li").first())
+          .hasText(Pattern.compile("Sensor 1\\s*0\\.\\d\\d m"));
+
+      // stopped and started
+      button(page, "Stop").first().click();
+      assertThat(page.locator(".heading .state")).hasText("On hold");
+      assertThat(page.locator("#gauge-left output")).hasText("0.00 m/s");
+      button(page, "Start").click();
+      assertThat(page.locator(".heading .state")).hasText("Driving");
+
+      // no hand while it has a task
+      button(page, "Drive by hand").click();
+      assertThat(page.locator("#hand-says")).containsText("works on task");
+      page.waitForCondition(
+          () -> "IDLE".equals(page.locator(".heading .state").getAttribute("data-state")),
+          new Page.WaitForConditionOptions().setTimeout(180_000));
+
+      button(page, "Drive by hand").click();
+      String before = page.locator("#pose").textContent();
+      Locator left = button(page, "Turn left");
+      left.hover();
+      page.mouse().down();
+      assertThat(page.locator("#pose")).not().hasText(before);
+      assertThat(page.locator(".heading .state")).hasText("Driving");
+      assertThat(page.locator("main")).containsText("demo drives it by hand");
+      page.mouse().up();
+      assertThat(page.locator(".heading .state")).hasText("Idle");
+      button(page, "Stop driving by hand").click();
+      page.navigate(root + "history?robot=r2");
+      assertThat(page.locator("main")).containsText("demo stopped driving r2 by hand");
+    }
+    assertEquals(
+        List.of(),
+        complaints().stream().filter(c -> !c.startsWith("Failed to load resource")).toList());
+  }
+
+  private static Locator button(Page page, String name) {
+    return page.getByRole(
+        AriaRole.BUTTON, new Page.GetByRoleOptions().setName(name).setExact(true));
+  }
+}
