@@ -39,50 +39,54 @@
       </ul>
       <p class="faint"><fmt:message key="robot.position"/>: <bdi id="pose" dir="ltr">–</bdi></p>
     </article>
-    <c:if test="${caller.mayManage()}">
-      <article class="hand-card" id="hand">
-        <h2><fmt:message key="control.hand"/></h2>
-        <p class="faint"><fmt:message key="control.hand.intro"/></p>
-        <p id="driver" class="notice" role="status" hidden></p>
-        <button type="button" id="take" class="wide"><fmt:message key="control.hand.take"/></button>
-        <fieldset id="pad" hidden>
-          <legend class="unseen"><fmt:message key="control.hand"/></legend>
-          <c:forTokens items="forward,left,stop,right,back" delims="," var="way">
-            <fmt:message key="control.hand.${way}" var="wayLabel"/>
-            <button type="button" data-way="${way}" aria-label="${wayLabel}" title="${wayLabel}" class="${way == 'stop' ? 'danger' : 'outline'}"><t:icon name="drive-${way}"/></button>
-          </c:forTokens>
-        </fieldset>
-        <button type="button" id="leave" class="wide outline" hidden><fmt:message key="control.hand.leave"/></button>
-        <p id="hand-says" class="notice warn" role="status" hidden></p>
-      </article>
-    </c:if>
-    <article>
-      <h2><fmt:message key="control.speeds"/></h2>
-      <div class="gauges">
-        <c:forTokens items="left,right" delims="," var="side">
-          <figure class="gauge" id="gauge-${side}">
-            <svg viewBox="-110 -108 220 128" aria-hidden="true"><path class="scale" d="M-90,0 A90,90 0 0 1 90,0"/><path class="zero" d="M0,-100 V-80"/><path class="value"/><path class="needle" d="M0,0 V-76"/><circle r="6"/></svg>
-            <figcaption><span class="caption"></span> <output class="number"><bdi>–</bdi></output></figcaption>
-          </figure>
-        </c:forTokens>
-      </div>
-      <p id="speeds-note" class="faint"></p>
-    </article>
-    <article>
-      <h2><fmt:message key="control.ranges"/></h2>
-      <p id="no-ranges" class="faint"><fmt:message key="control.ranges.none"/></p>
-      <ul id="ranges" class="bars"></ul>
-      <p id="ranges-age" class="faint" hidden></p>
-    </article>
-    <c:forTokens items="crossTrack,heading" delims="," var="error">
-      <fmt:message key="control.error.${error}" var="errorLabel"/>
+    <div class="side">
+      <c:if test="${caller.mayManage()}">
+        <article class="hand-card" id="hand">
+          <h2><fmt:message key="control.hand"/></h2>
+          <p class="faint"><fmt:message key="control.hand.intro"/></p>
+          <p id="driver" class="notice" role="status" hidden></p>
+          <button type="button" id="take" class="wide"><fmt:message key="control.hand.take"/></button>
+          <fieldset id="pad" hidden>
+            <legend class="unseen"><fmt:message key="control.hand"/></legend>
+            <c:forTokens items="forward,left,stop,right,back" delims="," var="way">
+              <fmt:message key="control.hand.${way}" var="wayLabel"/>
+              <button type="button" data-way="${way}" aria-label="${wayLabel}" title="${wayLabel}" class="${way == 'stop' ? 'danger' : 'outline'}"><t:icon name="drive-${way}"/></button>
+            </c:forTokens>
+          </fieldset>
+          <button type="button" id="leave" class="wide outline" hidden><fmt:message key="control.hand.leave"/></button>
+          <p id="hand-says" class="notice warn" role="status" hidden></p>
+        </article>
+      </c:if>
       <article>
-        <h2>${errorLabel}</h2>
-        <p class="faint"><output id="value-${error}" class="number"><bdi>–</bdi></output></p>
-        <svg id="chart-${error}" class="levels live-chart" viewBox="0 0 400 100" preserveAspectRatio="none" role="img" aria-label="${errorLabel}"><path class="axis" d="M0,50 H400"/><polyline/></svg>
-        <p class="faint axes"><fmt:message key="control.axes"/>${" "}<bdi id="range-${error}" dir="ltr"></bdi></p>
+        <h2><fmt:message key="control.speeds"/></h2>
+        <div class="gauges">
+          <c:forTokens items="left,right" delims="," var="side">
+            <figure class="gauge" id="gauge-${side}">
+              <svg viewBox="-110 -108 220 128" aria-hidden="true"><path class="scale" d="M-90,0 A90,90 0 0 1 90,0"/><path class="zero" d="M0,-100 V-80"/><path class="value"/><path class="needle" d="M0,0 V-76"/><circle r="6"/></svg>
+              <figcaption><span class="caption"></span> <output class="number"><bdi>–</bdi></output></figcaption>
+            </figure>
+          </c:forTokens>
+        </div>
+        <p id="speeds-note" class="faint"></p>
       </article>
-    </c:forTokens>
+      <article>
+        <h2><fmt:message key="control.ranges"/></h2>
+        <p id="no-ranges" class="faint"><fmt:message key="control.ranges.none"/></p>
+        <ul id="ranges" class="bars"></ul>
+        <p id="ranges-age" class="faint" hidden></p>
+      </article>
+    </div>
+    <div class="charts">
+      <c:forTokens items="crossTrack,heading" delims="," var="error">
+        <fmt:message key="control.error.${error}" var="errorLabel"/>
+        <article>
+          <h2>${errorLabel}</h2>
+          <p class="faint"><output id="value-${error}" class="number"><bdi>–</bdi></output></p>
+          <svg id="chart-${error}" class="levels live-chart" viewBox="0 0 400 100" preserveAspectRatio="none" role="img" aria-label="${errorLabel}"><path class="axis" d="M0,50 H400"/><polyline/></svg>
+          <p class="faint axes"><fmt:message key="control.axes"/>${" "}<bdi id="range-${error}"></bdi></p>
+        </article>
+      </c:forTokens>
+    </div>
   </div>
   <t:texts keys="control.disconnected map.loggedOut map.failed control.wheel.left control.wheel.right control.speed.v control.speed.w control.unit.speed control.unit.turn control.unit.mm control.unit.degrees control.unit.metres control.speeds.wheels control.speeds.body control.sensor control.ranges.age control.hand.busy control.hand.mine control.hand.noAnswer control.hand.ended control.failed"/>
 </t:page>

@@ -30,6 +30,11 @@ public record RobotCapabilities(
     this(footprint, speeds, maxLoad, sensorRange, kind, 0);
   }
 
+  /** How it can move, in a word for programs. */
+  public String kindWord() {
+    return kind.word();
+  }
+
   public RobotCapabilities withFootprint(double diameter) {
     return new RobotCapabilities(diameter, speeds, maxLoad, sensorRange, kind, track);
   }

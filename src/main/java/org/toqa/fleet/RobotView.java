@@ -8,6 +8,7 @@ import org.toqa.geometry.Vec2;
 import org.toqa.link.message.AgentMessage;
 import org.toqa.link.message.AgentMessage.Fault;
 import org.toqa.mission.Phase;
+import org.toqa.traffic.floor.PathDeviation;
 import org.toqa.traffic.floor.RemainingPath;
 import org.toqa.wording.Sentence;
 
@@ -151,6 +152,21 @@ public record RobotView(
   /** How many of {@link #pathPoints} it may already drive to. */
   public int releasedPoints() {
     return path.released();
+  }
+
+  /**
+   * Metres that it is to the left of its path, below 0 to the right; null while it has none that it
+   * may drive.
+   */
+  public @Nullable Double crossTrack() {
+    PathDeviation deviation = path.deviation();
+    return deviation == null ? null : deviation.crossTrack();
+  }
+
+  /** Radians that it faces further counter-clockwise than its path; null likewise. */
+  public @Nullable Double headingError() {
+    PathDeviation deviation = path.deviation();
+    return deviation == null ? null : deviation.heading();
   }
 
   /** Whether it is known what it can carry: it was connected once, or is the server's own. */

@@ -32,6 +32,8 @@ import picocli.CommandLine.Option;
 @Command(name = "demo", description = "Run a demo with simulated robots on this machine.")
 public final class DemoCommand implements Callable<Integer> {
   private static final String USER = "demo";
+  private static final String USUAL = "usual";
+  private static final String BUILDING = "building";
 
   /** Percent, robot by robot: the third one has to charge soon. */
   private static final String BATTERIES = "100,100,22,100";
@@ -61,12 +63,11 @@ public final class DemoCommand implements Callable<Integer> {
 
   @Option(
       names = "--scenario",
-      defaultValue = "USUAL",
       paramLabel = "NAME",
       description =
           "usual: simulated robots on four floors. building: one robot with two wheels on each of"
               + " three floors, over HTTP and MQTT (default: usual).")
-  private Scenario scenario = Scenario.USUAL;
+  private String scenario = USUAL;
 
   @Mixin private SpeedOption speed = new SpeedOption();
 
@@ -86,9 +87,8 @@ public final class DemoCommand implements Callable<Integer> {
               + " per simulated second, as JSON lines.")
   private @Nullable Path bodies;
 
-  private enum Scenario {
-    USUAL,
-    BUILDING
+  private boolean isBuilding() {
+    return scenario.equals(BUILDING);
   }
 
   @Override
@@ -103,7 +103,7 @@ public final class DemoCommand implements Callable<Integer> {
         TemporaryFolder data = TemporaryFolder.create("toqa-demo")) {
       Configuration configuration =
           Configuration.of(WebappFolder.shippedMap(), List.of(settings(data.path())));
-      ServerOperation show = scenario == Scenario.BUILDING ? this::runBuilding : this::runRecorded;
+      ServerOperation show = isBuilding() ? this::runBuilding : this::runRecorded;
       return show.runWith(configuration, webapp, stop);
     }
   }
@@ -150,8 +150,7 @@ public final class DemoCommand implements Callable<Integer> {
     System.err.println("  Ctrl-C ends everything; nothing is kept.");
     System.err.println();
     DemoTasks tasks = new DemoTasks(toqa.fleet(), toqa.fleetClock());
-    tasks.submit(
-        scenario == Scenario.BUILDING ? BuildingScenario.orders() : DemoTasks.orders(robots), USER);
+    tasks.submit(isBuilding() ? BuildingScenario.orders() : DemoTasks.orders(robots), USER);
     if (once) {
       boolean isDone = tasks.awaitEnd(stop, System.err::println);
       System.err.println();
@@ -168,7 +167,7 @@ public final class DemoCommand implements Callable<Integer> {
 
   private SettingSource settings(Path data) throws IOException {
     Map<Setting, @Nullable String> options = new EnumMap<>(Setting.class);
-    if (scenario == Scenario.BUILDING) {
+    if (isBuilding()) {
       options.put(Setting.MAP, BuildingScenario.maps(data.resolve("maps")));
       options.put(Setting.MQTT_BROKER, "embedded");
       options.put(Setting.MQTT_PORT, "0");
@@ -201,8 +200,12 @@ public final class DemoCommand implements Callable<Integer> {
 
   /** Its robots are no part of the simulated world: they live by the machine's clock. */
   private void checkScenario() throws ConfigurationException {
+    if (!scenario.equals(USUAL) && !isBuilding()) {
+      throw new ConfigurationException(
+          "--scenario \"" + scenario + "\": it must be usual or building.");
+    }
     boolean isWithSimulation = speed.value() != null || firmware || bodies != null;
-    if (scenario == Scenario.BUILDING && isWithSimulation) {
+    if (isBuilding() && isWithSimulation) {
       throw new ConfigurationException(
           "--scenario building drives its robots over HTTP in real time: it goes with neither"
               + " --speed, --firmware nor --bodies.");

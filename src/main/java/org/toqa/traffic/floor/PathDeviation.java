@@ -12,6 +12,8 @@ import org.toqa.motion.Segment;
  * @param heading radians that it faces further counter-clockwise than the path does, in (-pi, pi]
  */
 public record PathDeviation(double crossTrack, double heading) {
+  /** Metres that a radian counts: a turn on the spot is all in one place. */
+  private static final double METRES_A_RADIAN = 0.2;
 
   /**
    * Of the nearest place on what is left of the section that it is on; before and behind that, of
@@ -24,13 +26,18 @@ public record PathDeviation(double crossTrack, double heading) {
     for (Segment segment : open.segments()) {
       double share = segment.shareDone(start, robot);
       Pose here = start.advanced(segment.twist(), share * segment.t());
-      if (here.distanceTo(robot) < distance) {
+      if (distance(here, robot) < distance) {
         nearest = here;
-        distance = here.distanceTo(robot);
+        distance = distance(here, robot);
       }
       start = start.advanced(segment.twist(), segment.t());
     }
     Vec2 aside = robot.position().minus(nearest.position()).rotated(-nearest.theta());
     return new PathDeviation(aside.y(), Angles.difference(nearest.theta(), robot.theta()));
+  }
+
+  private static double distance(Pose one, Pose other) {
+    double turned = Angles.difference(one.theta(), other.theta());
+    return Math.hypot(one.distanceTo(other), METRES_A_RADIAN * turned);
   }
 }

@@ -10,7 +10,6 @@ import org.toqa.fleet.RobotView;
 import org.toqa.geometry.Pose;
 import org.toqa.geometry.Vec2;
 import org.toqa.link.message.AgentMessage.Fault;
-import org.toqa.traffic.floor.PathDeviation;
 import org.toqa.wording.Sentence;
 
 /** A robot on the wire; flat, its path as it is drawn. */
@@ -63,10 +62,12 @@ public record RobotJson(
 
   /** Metres to the left of its path, radians counter-clockwise; to be read, so rounded. */
   private record DeviationJson(double crossTrack, double heading) {
-    static @Nullable DeviationJson of(@Nullable PathDeviation deviation) {
-      return deviation == null
+    static @Nullable DeviationJson of(RobotView view) {
+      Double crossTrack = view.crossTrack();
+      Double heading = view.headingError();
+      return crossTrack == null || heading == null
           ? null
-          : new DeviationJson(rounded(deviation.crossTrack()), rounded(deviation.heading()));
+          : new DeviationJson(rounded(crossTrack), rounded(heading));
     }
 
     private static double rounded(double value) {
@@ -112,9 +113,9 @@ public record RobotJson(
         view.capabilities().sensorRange(),
         view.capabilities().isLoadKnown() ? view.capabilities().maxLoad() : null,
         stored.isHttp() ? "http" : "toqa",
-        view.capabilities().kind().word(),
+        view.capabilities().kindWord(),
         view.capabilities().track(),
-        DeviationJson.of(view.path().deviation()),
+        DeviationJson.of(view),
         work.driver());
   }
 }
