@@ -212,6 +212,9 @@ public final class ExperimentProcess implements ExperimentRunner {
             new InputStreamReader(
                 new LimitedStream(process.getInputStream()), StandardCharsets.UTF_8))) {
       for (String line = lines.readLine(); line != null; line = lines.readLine()) {
+        if (!line.startsWith("{")) {
+          continue; // a library says something
+        }
         JsonNode said = JsonMapper.shared().readTree(line);
         if (said.has("share")) {
           listener.progress(said.path("share").doubleValue(), said.path("step").stringValue(""));

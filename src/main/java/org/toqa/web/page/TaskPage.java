@@ -257,7 +257,7 @@ public final class TaskPage extends PageHandler {
     request.setAttribute("isStopped", order != null && order.isStopped(task));
     request.setAttribute("stations", floorOf(request, task).stations());
     request.setAttribute("version", Version.of(task));
-    request.setAttribute("mayGoOn", Caller.of(request).has(Permission.CLERK));
+    request.setAttribute("mayGoOn", Caller.of(request).has(Permission.ORDER));
     request.setAttribute("mayChange", TaskCommandReader.canChange(Caller.of(request), task));
     request.setAttribute(
         "followed",
