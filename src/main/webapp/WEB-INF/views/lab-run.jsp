@@ -48,14 +48,6 @@
       <a href="${api}/report" role="button" class="outline" download="toqa-${run.order().experiment()}-${run.id()}.json"><fmt:message key="laboratory.download.report"/></a>
       <a href="${api}/figures.csv" role="button" class="outline" download><fmt:message key="laboratory.download.figures"/></a>
     </section>
-    <c:forEach items="${drawings}" var="drawing">
-      <c:if test="${drawing.moving()}">
-        <article class="drawing moving" data-motion="api/v1/laboratory/runs/${run.id()}/scenes/${drawing.name()}">
-          <h2><t:english text="${drawing.title()}"/></h2>
-          <div class="stage"><img src="${api}/drawings/${drawing.name()}" alt="" loading="lazy"></div>
-        </article>
-      </c:if>
-    </c:forEach>
     <h2 id="figures"><fmt:message key="laboratory.figures"/></h2>
     <table class="stacks figures-table">
       <thead><tr><c:forTokens items="figure,published,measured,bound,verdict,reason" delims="," var="column"><th scope="col"><fmt:message key="laboratory.column.${column}"/></th></c:forTokens></tr></thead>
@@ -72,6 +64,16 @@
         </c:forEach>
       </tbody>
     </table>
+    <h2><fmt:message key="laboratory.drawings"/></h2>
+    <div class="charts">
+      <c:forEach items="${drawings}" var="drawing">
+        <article class="drawing"${drawing.moving() ? ' data-motion="api/v1/laboratory/runs/'.concat(run.id()).concat('/scenes/').concat(drawing.name()).concat('"') : ''}>
+          <h3><t:english text="${drawing.title()}"/></h3>
+          <div class="stage"><img src="${api}/drawings/${drawing.name()}" alt="" loading="lazy"></div>
+          <p><a href="${api}/drawings/${drawing.name()}" download="toqa-${run.order().experiment()}-${run.id()}-${drawing.name()}.svg"><fmt:message key="laboratory.download.svg"/></a></p>
+        </article>
+      </c:forEach>
+    </div>
     <c:forEach items="${report.tables()}" var="table">
       <article class="chart">
         <h2 id="table-${table.name()}"><t:english text="${table.title()}"/></h2>
@@ -90,14 +92,5 @@
       <h2><fmt:message key="laboratory.notes"/></h2>
       <ul><c:forEach items="${report.notes()}" var="note"><li><t:english text="${note}"/></li></c:forEach></ul>
     </c:if>
-    <h2><fmt:message key="laboratory.drawings"/></h2>
-    <div class="charts">
-      <c:forEach items="${drawings}" var="drawing">
-        <article class="drawing">
-          <img src="${api}/drawings/${drawing.name()}" alt="${fn:escapeXml(drawing.title())}" lang="en" loading="lazy">
-          <p><a href="${api}/drawings/${drawing.name()}" download="toqa-${run.order().experiment()}-${run.id()}-${drawing.name()}.svg"><fmt:message key="laboratory.download.svg"/></a></p>
-        </article>
-      </c:forEach>
-    </div>
   </c:if>
 </t:page>

@@ -11,6 +11,7 @@
       <h1>${title}</h1>
       <p class="faint"><fmt:message key="laboratory.intro"><fmt:param value="${mostKept}"/></fmt:message></p>
     </div>
+    <div class="choices"><a href="#runs"><fmt:message key="laboratory.results"/></a></div>
   </div>
   <t:errors/>
   <c:if test="${param.done == 'deleted'}"><p class="notice good" role="status"><fmt:message key="laboratory.done.deleted"/></p></c:if>

@@ -37,13 +37,13 @@ export class MovingScene {
       this.#stop();
       this.#show(Number(this.#slider.value));
     });
-    element.append(createElement('div', 'player', this.#button, this.#slider, this.#time));
+    element.querySelector('.stage').after(createElement('div', 'player', this.#button, this.#slider, this.#time));
     this.#stop();
     this.#show(0);
   }
 
   #nameHeading(element) {
-    const heading = element.querySelector('h2');
+    const heading = element.querySelector('h3');
     heading.id ||= `scene-${[...document.querySelectorAll('[data-motion]')].indexOf(element)}`;
     return heading.id;
   }

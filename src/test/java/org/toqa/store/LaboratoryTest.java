@@ -92,20 +92,15 @@ class LaboratoryTest extends DatabaseTest {
         Database elsewhere = MemoryDatabase.open("store-other-" + System.nanoTime());
         Laboratory other =
             new Laboratory(
-                new JdbiLabRunStore(elsewhere.jdbi()),
-                experiments,
-                slot,
-                InstantSource.system())) {
+                new JdbiLabRunStore(elsewhere.jdbi()), experiments, slot, InstantSource.system())) {
       long first = start(one, 1);
       assertEquals(1, experiments.awaitBegun());
       long second = start(one, 2);
       long foreign = start(other, 3);
-      assertEquals(
-          new Laboratory.Progress(0.25, "step of 1"), one.progress(first).orElseThrow());
+      assertEquals(new Laboratory.Progress(0.25, "step of 1"), one.progress(first).orElseThrow());
       assertTrue(one.progress(second).isEmpty());
       for (int i = 0; i < 3; i++) {
-        experiments.ends.add(
-            new ExperimentRunner.Outcome.Done(new LabResult("{}", List.of())));
+        experiments.ends.add(new ExperimentRunner.Outcome.Done(new LabResult("{}", List.of())));
       }
       awaitState(one, first, LabRunState.DONE);
       awaitState(one, second, LabRunState.DONE);

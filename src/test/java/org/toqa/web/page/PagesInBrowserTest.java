@@ -45,6 +45,7 @@ class PagesInBrowserTest extends PagesInBrowser {
           "statistics?from=2026-11-08&to=2026-11-21&zone=UTC",
           "statistics",
           "history",
+          "laboratory",
           "nothing");
 
   private final List<String> found = new ArrayList<>();
