@@ -16,8 +16,9 @@
   <title><c:out value="${title}"/> · <fmt:message key="product.name"/></title>
   <link rel="icon" type="image/svg+xml" href="${root}/assets/toqa.svg">
   <link rel="stylesheet" href="${root}/assets/pico/pico.blue.min.css">
-  <c:forTokens items="base,layout,pages,tables,timeline,users,statistics,laboratory,new-task,map,small-screens,editor,api,help,control" delims="," var="part"><link rel="stylesheet" href="${root}/assets/css/${part}.css"></c:forTokens>
+  <c:forTokens items="base,layout,pages,tables,timeline,users,statistics,laboratory,new-task,map,small-screens,editor,api,help,control,notices" delims="," var="part"><link rel="stylesheet" href="${root}/assets/css/${part}.css"></c:forTokens>
   <c:if test="${not empty script or not empty caller}"><script type="module" src="${root}/assets/js/${empty script ? 'shared/live.js' : script}"></script></c:if>
+  <c:if test="${not empty caller}"><script type="module" src="${root}/assets/js/notices/bell.js"></script></c:if>
   <script type="module" src="${root}/assets/js/shared/times.js"></script>
   <c:if test="${not empty caller}"><script type="module" src="${root}/assets/js/shared/menu.js"></script></c:if>
   <c:if test="${not empty errors}"><script type="module" src="${root}/assets/js/shared/first-fault.js"></script></c:if>
@@ -51,6 +52,8 @@
           <button><t:icon name="logout"/><span><fmt:message key="nav.logout"/></span></button>
         </form>
       </nav>
+      <fmt:message key="notices.title" var="bell"/>
+      <a class="bell" href="${root}/notices" ${here == 'notice' ? 'aria-current="page"' : ''} aria-label="${bell}" title="${bell}" data-unseen="<fmt:message key="notices.bell"/>"><t:icon name="bell"/><span class="count" hidden></span></a>
     </c:if>
     <c:forEach items="${languages}" var="other">
       <c:if test="${other.tag() != language}">

@@ -18,6 +18,7 @@
   <t:errors/>
   <c:if test="${not empty token}"><div class="notice good" role="status"><p><fmt:message key="users.token.once"/></p><code class="secret" dir="ltr"><c:out value="${token}"/></code></div></c:if>
   <c:if test="${not empty link}"><div class="notice good" role="status"><p><fmt:message key="users.link.once"><fmt:param value="${linkHours}"/></fmt:message></p><code class="secret" dir="ltr"><c:out value="${link}"/></code></div></c:if>
+  <c:if test="${own}"><p><a href="${root}/notices/settings"><fmt:message key="notices.settings.link"/></a></p></c:if>
   <article class="card">
     <h2><fmt:message key="users.sessions"/></h2>
     <c:if test="${empty sessions}"><p class="faint"><fmt:message key="users.sessions.none"/></p></c:if>

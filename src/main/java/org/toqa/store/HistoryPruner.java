@@ -19,6 +19,9 @@ public final class HistoryPruner {
       """
           + BATCH_SIZE;
 
+  private static final String OLD_NOTICES =
+      "delete from notices where ended_at < :before limit " + BATCH_SIZE;
+
   private static final String OLD_UTILISATION =
       "delete from robot_use where at < :before limit " + BATCH_SIZE;
 
@@ -69,13 +72,15 @@ public final class HistoryPruner {
   }
 
   /**
-   * How many tasks were removed, with their events, that ended before this; other events and what
-   * robots did go too, where they are older. Those of an order go when all of it has ended.
+   * How many tasks were removed, with their events, that ended before this; other events, ended
+   * notices and what robots did go too, where they are older. Those of an order go when all of it
+   * has ended.
    *
    * @throws StoreException when the database does not answer
    */
   public long pruneHistory(Instant before) {
     deleteInBatches(() -> deleteOlder(OLD_EVENTS, before));
+    deleteInBatches(() -> deleteOlder(OLD_NOTICES, before));
     deleteInBatches(() -> deleteOlder(OLD_UTILISATION, before));
     deleteInBatches(() -> deleteOldMaps(before));
     return deleteInBatches(() -> deleteEndedTasks(before));

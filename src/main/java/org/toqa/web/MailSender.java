@@ -1,6 +1,7 @@
 package org.toqa.web;
 
 import java.io.IOException;
+import java.util.UUID;
 
 /** Sends e-mails. */
 public interface MailSender {
@@ -14,5 +15,14 @@ public interface MailSender {
    * @param to an e-mail address
    * @throws IOException the mail server did not take it
    */
-  void send(String to, String subject, String text) throws IOException;
+  default void send(String to, String subject, String text) throws IOException {
+    send(to, subject, text, UUID.randomUUID());
+  }
+
+  /**
+   * The same.
+   *
+   * @param id of the e-mail: who gets it twice sees by it that it is one
+   */
+  void send(String to, String subject, String text, UUID id) throws IOException;
 }

@@ -19,6 +19,7 @@ import org.toqa.fleet.history.SeenPlaces;
 import org.toqa.fleet.history.StatisticsArchive;
 import org.toqa.fleet.history.TrackStore;
 import org.toqa.lab.record.Laboratory;
+import org.toqa.notices.Notices;
 import org.toqa.telemetry.Telemetry;
 
 /**
@@ -40,6 +41,7 @@ public record Services(
     SeenPlaces seenPlaces,
     @Nullable Telemetry telemetry,
     Laboratory laboratory,
+    Notices notices,
     AccountStore accounts,
     SessionStore sessions,
     PasswordLinks passwordLinks,

@@ -515,6 +515,12 @@ public enum Phrase {
   TOKEN_HANDED_OVER,
   SESSION_ENDED,
 
+  // What a notice is about
+  NOTICE_OF_TASK,
+  NOTICE_OF_ROBOT,
+  NOTICE_ROBOT_LOST,
+  NOTICE_ROBOT_NOT_LOCALISED,
+
   // What happened to a site
   SITE_ADDED,
   SITE_REMOVED,

@@ -7,7 +7,8 @@ const SILENCE = 12_000;
 const RETRY = 2_000;
 
 /**
- * Receives the fleet's live events, and connects again after every loss.
+ * Receives the fleet's live events, and connects again after every loss. When there are other notices, or may be, the
+ * document gets the event 'toqa-notices'.
  *
  * @param onSnapshot called with each snapshot
  * @param onConnection called with 'live', 'disconnected' or 'loggedOut' when that changes
@@ -20,6 +21,7 @@ class EventStream {
   #onSnapshot;
   #onConnection;
   #state = '';
+  #wasOpen = false;
   #heardAt = 0; // milliseconds of the page's clock
   #source;
   #snapshot;
@@ -34,10 +36,15 @@ class EventStream {
   open() {
     this.#source?.close();
     this.#heardAt = performance.now();
-    const source = new EventSource(address('api/v1/events?changes=true'));
+    const source = new EventSource(address('api/v1/events?changes=true&notices=true'));
     source.addEventListener('snapshot', (event) => this.#receive(JSON.parse(event.data)));
     source.addEventListener('change', (event) => this.#receive(applyChange(this.#snapshot, JSON.parse(event.data))));
     source.addEventListener('alive', () => this.#markAlive());
+    if (this.#wasOpen) {
+      source.addEventListener('open', () => document.dispatchEvent(new Event('toqa-notices')));
+    }
+    this.#wasOpen = true;
+    source.addEventListener('notices', () => document.dispatchEvent(new Event('toqa-notices')));
     source.addEventListener('error', () => this.#handleLoss());
     this.#source = source;
   }

@@ -167,6 +167,7 @@ final class RoadWorld {
         usual.historyRetention(),
         usual.firstManager(),
         usual.mailServer(),
+        usual.webhooks(),
         usual.plainLinks(),
         usual.gateways(),
         usual.broker(),

@@ -1,5 +1,6 @@
 package org.toqa.web;
 
+import java.util.UUID;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
@@ -17,7 +18,7 @@ public final class TestMailbox implements MailSender {
   }
 
   @Override
-  public void send(String to, String subject, String text) {
+  public void send(String to, String subject, String text, UUID id) {
     messages.add(new Message(to, subject, text));
   }
 

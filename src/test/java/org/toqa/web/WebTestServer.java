@@ -41,11 +41,15 @@ import org.toqa.fleet.EventRecord;
 import org.toqa.fleet.SnapshotFeed;
 import org.toqa.fleet.history.SeenPlaces;
 import org.toqa.lab.record.Laboratory;
+import org.toqa.notices.Notices;
+import org.toqa.notices.WebhookAddresses;
+import org.toqa.notices.WebhookPoster;
 import org.toqa.store.Database;
 import org.toqa.store.JdbiAccountStore;
 import org.toqa.store.JdbiEventArchive;
 import org.toqa.store.JdbiFleetStore;
 import org.toqa.store.JdbiLabRunStore;
+import org.toqa.store.JdbiNoticeStore;
 import org.toqa.store.JdbiPasswordResetStore;
 import org.toqa.store.JdbiScheduleStore;
 import org.toqa.store.JdbiSessionStore;
@@ -70,6 +74,10 @@ public final class WebTestServer implements AutoCloseable {
   /** Tables of what a fleet has done. */
   private static final List<String> WORK =
       List.of(
+          "notices",
+          "notice_preferences",
+          "notice_choices",
+          "webhooks",
           "robot_use",
           "tracks",
           "battery_levels",
@@ -102,6 +110,7 @@ public final class WebTestServer implements AutoCloseable {
   private final FirstStartCode firstStartCode = FirstStartCode.random();
   private final AccountStore accounts;
   private final Telemetry telemetry;
+  private final Notices notices;
   private final JdbiFleetStore store;
   private final JdbiTrackStore tracks;
   private final JdbiUtilisationStore uses;
@@ -239,6 +248,14 @@ public final class WebTestServer implements AutoCloseable {
             new JdbiLabRunStore(jdbi),
             new ExperimentProcess(),
             new Semaphore(1),
+    WebhookAddresses webhookAddresses =
+        new WebhookAddresses(List.of(WebhookAddresses.Network.parse("127.0.0.1").orElseThrow()));
+    notices =
+        new Notices(
+            new JdbiNoticeStore(jdbi),
+            true,
+            webhookAddresses,
+            new WebhookPoster(SITE.name(), webhookAddresses, InstantSource.system()),
             InstantSource.system());
     Services services =
         new Services(
@@ -254,6 +271,7 @@ public final class WebTestServer implements AutoCloseable {
             seenPlaces,
             telemetry,
             laboratory,
+            notices,
             accounts,
             sessions,
             links,
@@ -279,6 +297,11 @@ public final class WebTestServer implements AutoCloseable {
   /** What robots publish; no broker hears them here. */
   public Telemetry telemetry() {
     return telemetry;
+  }
+
+  /** Nobody watches the fleet for them here. */
+  public Notices notices() {
+    return notices;
   }
 
   private static Metrics metrics(SnapshotFeed snapshots) {

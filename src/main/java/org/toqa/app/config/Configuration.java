@@ -10,6 +10,7 @@ import org.jspecify.annotations.Nullable;
 import org.toqa.allocation.Policy;
 import org.toqa.fleet.ChargingRules;
 import org.toqa.grid.Margins;
+import org.toqa.notices.WebhookAddresses;
 import org.toqa.telemetry.mqtt.BrokerSettings;
 
 /**
@@ -41,6 +42,7 @@ import org.toqa.telemetry.mqtt.BrokerSettings;
  * @param historyRetention how long ended tasks, events and what robots did are kept
  * @param firstManager the manager to make while there is none
  * @param mailServer sends e-mail; null: none is sent
+ * @param webhooks where webhooks may lead
  * @param plainLinks whether links to robots on other machines may be unencrypted
  * @param gateways where gateways are listened for; null: nowhere
  * @param broker of MQTT; null: none is used
@@ -72,6 +74,7 @@ public record Configuration(
     Duration historyRetention,
     @Nullable FirstManager firstManager,
     @Nullable MailServer mailServer,
+    WebhookAddresses webhooks,
     boolean plainLinks,
     @Nullable GatewaySettings gateways,
     @Nullable BrokerSettings broker,
@@ -113,6 +116,7 @@ public record Configuration(
         historyRetention,
         null,
         mailServer,
+        webhooks,
         plainLinks,
         null,
         null,

@@ -33,6 +33,7 @@ import org.toqa.app.config.ValueRange.WholeNumber;
 import org.toqa.app.config.ValueRange.WholeNumbers;
 import org.toqa.fleet.ChargingRules;
 import org.toqa.grid.Margins;
+import org.toqa.notices.WebhookAddresses;
 import org.toqa.store.Database;
 import org.toqa.telemetry.mqtt.BrokerSettings;
 
@@ -87,6 +88,7 @@ record ConfigurationReader(List<SettingSource> layers) {
         Duration.ofDays(wholeNumber(Setting.KEEP_HISTORY)),
         firstManager(),
         mailServer(),
+        webhooks(),
         flag(Setting.PLAIN_LINKS),
         gateways(),
         broker(),
@@ -441,6 +443,17 @@ record ConfigurationReader(List<SettingSource> layers) {
         nullIfEmpty(text(Setting.MAIL_PASSWORD)),
         matching(Setting.MAIL_FROM, "[^\\s@<>,;]+@[^\\s@<>,;]+"),
         matching(Setting.URL, URL).replaceFirst("/+$", ""));
+  }
+
+  private WebhookAddresses webhooks() throws ConfigurationException {
+    List<WebhookAddresses.Network> networks = new ArrayList<>();
+    String given = text(Setting.WEBHOOKS_NETWORKS).strip();
+    for (String word : given.isEmpty() ? new String[0] : given.split(",", -1)) {
+      networks.add(
+          WebhookAddresses.Network.parse(word)
+              .orElseThrow(() -> outOfRange(Setting.WEBHOOKS_NETWORKS)));
+    }
+    return new WebhookAddresses(networks);
   }
 
   private MailSecurity mailSecurity() throws ConfigurationException {

@@ -64,6 +64,10 @@ public enum Setting {
   MAIL_USER("mail.user", "", "a user of the mail server"),
   MAIL_PASSWORD("mail.password", "", "that user's password"),
   MAIL_FROM("mail.from", "", "the e-mail address that letters come from, such as toqa@example.org"),
+  WEBHOOKS_NETWORKS(
+      "webhooks.networks",
+      "",
+      "IP addresses or networks such as 10.2.0.0/16 or fd00::/8, with commas between"),
   PLAIN_LINKS("plainLinks", "false", new Choice("true", "false")),
   GATEWAYS_TRUSTED("gateways.trusted", "", GatewaySettings.DESCRIPTION),
   GATEWAYS_ADDRESS("gateways.address", "0.0.0.0", "a host name or IP address of this machine"),

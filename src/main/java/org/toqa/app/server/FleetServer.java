@@ -37,6 +37,11 @@ import org.toqa.geometry.Pose;
 import org.toqa.grid.FloorMap;
 import org.toqa.lab.record.Laboratory;
 import org.toqa.link.trust.PrivateFolder;
+import org.toqa.notices.NoticeRecorder;
+import org.toqa.notices.NoticeStore;
+import org.toqa.notices.Notices;
+import org.toqa.notices.Outbox;
+import org.toqa.notices.WebhookPoster;
 import org.toqa.sim.Body;
 import org.toqa.sim.Participant;
 import org.toqa.sim.SimulatedFleet;
@@ -49,6 +54,7 @@ import org.toqa.store.JdbiEventArchive;
 import org.toqa.store.JdbiFleetStore;
 import org.toqa.store.JdbiFloorStore;
 import org.toqa.store.JdbiLabRunStore;
+import org.toqa.store.JdbiNoticeStore;
 import org.toqa.store.JdbiOrderArchive;
 import org.toqa.store.JdbiPasswordResetStore;
 import org.toqa.store.JdbiScheduleStore;
@@ -63,7 +69,9 @@ import org.toqa.store.JdbiTrackStore;
 import org.toqa.store.JdbiUtilisationStore;
 import org.toqa.telemetry.Telemetry;
 import org.toqa.web.IdempotentSubmitter;
+import org.toqa.web.MailSender;
 import org.toqa.web.Metrics;
+import org.toqa.web.NoticeLetters;
 import org.toqa.web.PasswordLinks;
 import org.toqa.web.Services;
 import org.toqa.wording.Phrase;
@@ -200,11 +208,13 @@ public final class FleetServer implements AutoCloseable {
             configuration.sessionLimit(),
             configuration.limits().sessionsPerUser(),
             site);
+    MailSender mail =
+        configuration.mailServer() == null ? null : new SmtpMail(configuration.mailServer());
     PasswordLinks passwordLinks =
         new PasswordLinks(
             accounts,
             new JdbiPasswordResetStore(database.sessions(), wallClock, site),
-            configuration.mailServer() == null ? null : new SmtpMail(configuration.mailServer()),
+            mail,
             wallClock);
     Metrics metrics = new Metrics(fleet.snapshots());
     parts.push(metrics);
@@ -252,6 +262,7 @@ public final class FleetServer implements AutoCloseable {
             shared.laboratory(),
             wallClock);
     parts.push(laboratory);
+    Notices notices = startNotices(site, configuration, database, fleet, mail, wallClock, parts);
     Services services =
         new Services(
             site,
@@ -266,6 +277,7 @@ public final class FleetServer implements AutoCloseable {
             seenPlaces,
             telemetry,
             laboratory,
+            notices,
             accounts,
             sessions,
             passwordLinks,
@@ -294,6 +306,25 @@ public final class FleetServer implements AutoCloseable {
                 Function.identity());
     return new FleetServer(
         configuration, database, clock, services, bodies, simulated, failed, parts);
+  }
+
+  private static Notices startNotices(
+      Site site,
+      Configuration configuration,
+      Database database,
+      Fleet fleet,
+      @Nullable MailSender mail,
+      InstantSource clock,
+      Deque<AutoCloseable> parts) {
+    NoticeStore store = new JdbiNoticeStore(database.jdbi());
+    WebhookPoster webhooks = new WebhookPoster(site.name(), configuration.webhooks(), clock);
+    parts.push(webhooks);
+    Notices notices = new Notices(store, mail != null, configuration.webhooks(), webhooks, clock);
+    Outbox outbox =
+        new Outbox(store, mail == null ? null : new NoticeLetters(mail), webhooks, clock);
+    parts.push(outbox);
+    parts.push(new NoticeRecorder(fleet.snapshots(), notices, outbox, clock));
+    return notices;
   }
 
   /** So that nobody who asks right after the start is told that there is nothing. */

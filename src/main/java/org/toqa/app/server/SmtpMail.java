@@ -13,6 +13,7 @@ import java.time.OffsetDateTime;
 import java.time.ZoneOffset;
 import java.time.format.DateTimeFormatter;
 import java.util.Properties;
+import java.util.UUID;
 import org.jspecify.annotations.Nullable;
 import org.toqa.app.config.Configuration;
 import org.toqa.web.MailSender;
@@ -33,9 +34,9 @@ final class SmtpMail implements MailSender {
   }
 
   @Override
-  public void send(String to, String subject, String text) throws IOException {
+  public void send(String to, String subject, String text, UUID id) throws IOException {
     try {
-      MimeMessage message = new MimeMessage(Session.getInstance(properties(), authenticator()));
+      MimeMessage message = new IdentifiedMessage(id);
       message.setFrom(new InternetAddress(server.from()));
       message.setRecipient(Message.RecipientType.TO, new InternetAddress(to));
       message.setSubject(subject, "UTF-8");
@@ -46,6 +47,21 @@ final class SmtpMail implements MailSender {
       Transport.send(message);
     } catch (MessagingException e) {
       throw new IOException(server + " did not take it: " + e.getMessage(), e);
+    }
+  }
+
+  /** A letter with an id of its own, not one of this machine's name. */
+  private final class IdentifiedMessage extends MimeMessage {
+    private final UUID id;
+
+    IdentifiedMessage(UUID id) {
+      super(Session.getInstance(properties(), authenticator()));
+      this.id = id;
+    }
+
+    @Override
+    protected void updateMessageID() throws MessagingException {
+      setHeader("Message-ID", "<" + id + server.from().replaceFirst(".*@", "@") + ">");
     }
   }
 

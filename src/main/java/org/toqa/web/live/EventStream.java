@@ -34,18 +34,24 @@ final class EventStream implements Runnable {
   private static final byte[] RETRY = "retry: 2000\n\n".getBytes(StandardCharsets.UTF_8);
   private static final byte[] ALIVE = "event: alive\ndata: {}\n\n".getBytes(StandardCharsets.UTF_8);
 
+  /** The reader asks what they are: only it may have to wait for the database. */
+  private static final byte[] NOTICES =
+      "event: notices\ndata: {}\n\n".getBytes(StandardCharsets.UTF_8);
+
   private final AsyncContext async;
   private final Sites sites;
   private final Services services;
   private final Caller caller;
   private final SnapshotEventWriter events;
   private final boolean changesOnly;
+  private final boolean withNotices;
   private final @Nullable String floor;
   private final @Nullable String lastId;
   private final IntSupplier readerCount;
 
   /**
    * @param changesOnly whether the reader puts snapshots together from what changed
+   * @param withNotices whether the reader is told when there are other notices
    * @param floor the only one that is told of, whose end is that of the stream; null: all are
    * @param lastId what the reader says it has; an id that is none counts as nothing
    * @param readerCount how many there are
@@ -57,6 +63,7 @@ final class EventStream implements Runnable {
       Caller caller,
       SnapshotEventWriter events,
       boolean changesOnly,
+      boolean withNotices,
       @Nullable String floor,
       @Nullable String lastId,
       IntSupplier readerCount) {
@@ -66,6 +73,7 @@ final class EventStream implements Runnable {
     this.caller = caller;
     this.events = events;
     this.changesOnly = changesOnly;
+    this.withNotices = withNotices;
     this.floor = floor;
     this.lastId = lastId;
     this.readerCount = readerCount;
@@ -107,6 +115,7 @@ final class EventStream implements Runnable {
     FleetSnapshot sent = feed.latest();
     send(out, events.id(sent).equals(lastId) ? ALIVE : events.snapshotEvent(sent));
     long checked = System.nanoTime();
+    long notices = services.notices().version();
     while (true) {
       Thread.sleep(interval());
       FleetSnapshot newest = feed.awaitNewer(sent.version(), KEEP_ALIVE);
@@ -118,6 +127,11 @@ final class EventStream implements Runnable {
       }
       send(out, newest.version() > sent.version() ? event(sent, newest) : ALIVE);
       sent = newest;
+      long latest = services.notices().version();
+      if (withNotices && latest != notices) {
+        send(out, NOTICES);
+        notices = latest;
+      }
     }
   }
 

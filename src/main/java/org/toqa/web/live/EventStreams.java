@@ -42,6 +42,7 @@ public final class EventStreams implements AutoCloseable {
    * them.
    *
    * @param changesOnly whether the reader puts snapshots together from what changed
+   * @param withNotices whether the reader is told when there are other notices
    * @param floor the only one that is told of; null: all are
    * @param places are given up at its end
    * @param lastId what the reader says it has; an id that is none counts as nothing
@@ -53,6 +54,7 @@ public final class EventStreams implements AutoCloseable {
       Caller caller,
       Locale locale,
       boolean changesOnly,
+      boolean withNotices,
       @Nullable String floor,
       StreamPlaces places,
       @Nullable String lastId) {
@@ -69,6 +71,7 @@ public final class EventStreams implements AutoCloseable {
                         new Kind(services.site(), locale, floor),
                         _ -> new SnapshotEventWriter(locale)),
                     changesOnly,
+                    withNotices,
                     floor,
                     lastId,
                     threads::size));

@@ -21,7 +21,8 @@ public final class EventsResource extends ApiHandler {
       setHeaders(response);
       return;
     }
-    boolean changesOnly = wantsChangesOnly(request);
+    boolean changesOnly = isWanted(request, "changes");
+    boolean withNotices = isWanted(request, "notices");
     String floor = wantedFloorName(request);
     StreamPlaces places = new StreamPlaces();
     Optional<StreamPlaces.Refusal> refusal =
@@ -46,17 +47,18 @@ public final class EventsResource extends ApiHandler {
             Caller.of(request),
             Texts.of(request).locale(),
             changesOnly,
+            withNotices,
             floor,
             places,
             request.getHeader("Last-Event-ID"));
   }
 
-  private static boolean wantsChangesOnly(HttpServletRequest request) {
-    return switch (Objects.requireNonNullElse(request.getParameter("changes"), "false")) {
+  private static boolean isWanted(HttpServletRequest request, String flag) {
+    return switch (Objects.requireNonNullElse(request.getParameter(flag), "false")) {
       case "true" -> true;
       case "false" -> false;
       default ->
-          throw Problem.of(400, Texts.of(request).get("problem.queryFlag", "changes")).exception();
+          throw Problem.of(400, Texts.of(request).get("problem.queryFlag", flag)).exception();
     };
   }
 

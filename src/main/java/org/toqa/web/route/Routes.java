@@ -42,6 +42,7 @@ import org.toqa.web.api.LoadsResource;
 import org.toqa.web.api.ManualDriveResource;
 import org.toqa.web.api.MapResource;
 import org.toqa.web.api.MetricsResource;
+import org.toqa.web.api.NoticesResource;
 import org.toqa.web.api.OpenApiResource;
 import org.toqa.web.api.OrderResource;
 import org.toqa.web.api.OrdersResource;
@@ -65,6 +66,7 @@ import org.toqa.web.api.TrackResource;
 import org.toqa.web.api.TracksResource;
 import org.toqa.web.api.UserResource;
 import org.toqa.web.api.UsersResource;
+import org.toqa.web.api.WebhooksResource;
 import org.toqa.web.live.EventsResource;
 import org.toqa.web.page.ApiDocumentPage;
 import org.toqa.web.page.ControlPage;
@@ -86,6 +88,7 @@ import org.toqa.web.page.LoginPage;
 import org.toqa.web.page.LogoutForm;
 import org.toqa.web.page.MapPage;
 import org.toqa.web.page.NewTaskPage;
+import org.toqa.web.page.NoticesPage;
 import org.toqa.web.page.OrderPage;
 import org.toqa.web.page.ReadingForms;
 import org.toqa.web.page.ResetPasswordPage;
@@ -99,6 +102,7 @@ import org.toqa.web.page.TaskPage;
 import org.toqa.web.page.TasksPage;
 import org.toqa.web.page.UserPage;
 import org.toqa.web.page.UsersPage;
+import org.toqa.web.page.WebhooksPage;
 
 /** Every route of the server and who may use it. What is not in this list is not found. */
 public final class Routes {
@@ -176,6 +180,16 @@ public final class Routes {
           post("/floors/{floor}/hold", OPERATE, FloorForms::hold).with(URGENT),
           post("/floors/{floor}/resume", OPERATE, FloorForms::resume),
           post("/floors/{floor}/allocator", MANAGE, FloorForms::allocator),
+          get("/notices", VIEW, NoticesPage::show),
+          post("/notices/seen", VIEW, NoticesPage::see),
+          get("/notices/settings", VIEW, NoticesPage::showSettings),
+          post("/notices/settings", VIEW, NoticesPage::saveSettings),
+          get("/notices/webhooks", MANAGE, WebhooksPage::show),
+          post("/notices/webhooks", MANAGE, WebhooksPage::add),
+          post("/notices/webhooks/{id}/change", MANAGE, WebhooksPage::change),
+          post("/notices/webhooks/{id}/secret", MANAGE, WebhooksPage::renewSecret),
+          post("/notices/webhooks/{id}/test", MANAGE, WebhooksPage::test),
+          post("/notices/webhooks/{id}/delete", MANAGE, WebhooksPage::delete),
           get("/users", SIGNED_IN, UsersPage::show),
           post("/users", MANAGE, UsersPage::add).with(EVERY_SITE),
           get("/users/{id}", SIGNED_IN, UserPage::show),
@@ -262,6 +276,18 @@ public final class Routes {
           post("/api/v1/robots/{name}/pair", MANAGE, RobotResource::pair),
           post("/api/v1/robots/{name}/drive", OPERATE, ManualDriveResource::drive).with(URGENT),
           delete("/api/v1/robots/{name}/drive", OPERATE, ManualDriveResource::end).with(URGENT),
+          get("/api/v1/notices", VIEW, NoticesResource::list),
+          get("/api/v1/notices/news", VIEW, NoticesResource::news),
+          post("/api/v1/notices/seen", VIEW, NoticesResource::seeAll),
+          get("/api/v1/notices/settings", VIEW, NoticesResource::settings),
+          put("/api/v1/notices/settings", VIEW, NoticesResource::changeSettings),
+          post("/api/v1/notices/{id}/seen", VIEW, NoticesResource::see),
+          get("/api/v1/webhooks", MANAGE, WebhooksResource::list),
+          post("/api/v1/webhooks", MANAGE, WebhooksResource::add),
+          put("/api/v1/webhooks/{id}", MANAGE, WebhooksResource::change),
+          delete("/api/v1/webhooks/{id}", MANAGE, WebhooksResource::delete),
+          post("/api/v1/webhooks/{id}/secret", MANAGE, WebhooksResource::renewSecret),
+          post("/api/v1/webhooks/{id}/test", MANAGE, WebhooksResource::test),
           get("/api/v1/users", SIGNED_IN, UsersResource::list),
           post("/api/v1/users", MANAGE, UsersResource::add).with(EVERY_SITE),
           get("/api/v1/users/{id}", SIGNED_IN, UserResource::get),

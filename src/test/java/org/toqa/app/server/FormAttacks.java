@@ -28,12 +28,13 @@ import org.toqa.web.route.Routes;
  */
 final class FormAttacks {
   /**
-   * Forms of states that no page is in here. They have buttons only, but for the first four: the
-   * third is attacked together with the pause that it ends, the fourth as an order.
+   * Forms of states that no page is in here. They have buttons only, but for the first five: the
+   * fourth is attacked together with the pause that it ends, the fifth as an order.
    */
   private static final Set<String> NOT_SHOWN =
       Set.of(
           "/first-start",
+          "/notices/seen",
           "/tasks/{id}/answer",
           "/tasks/{id}/load-removed",
           "/tasks/{id}/delete",
@@ -52,8 +53,8 @@ final class FormAttacks {
           "/sites/{site}/visit",
           "/sites/{site}/delete");
 
-  /** Attacked cell by cell. */
-  private static final Set<String> ELSEWHERE = Set.of("/tasks/import");
+  /** Attacked cell by cell, or without words: numbers that the page has. */
+  private static final Set<String> ELSEWHERE = Set.of("/tasks/import", "/notices/seen");
 
   private final AttackRun run;
   private final AttackedServer server;

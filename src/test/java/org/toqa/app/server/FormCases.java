@@ -14,6 +14,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
+import org.toqa.notices.NoticeKind;
 import org.toqa.web.WebTestServer;
 
 /** All forms with something to fill in, by hand: that none is missing, their test looks after. */
@@ -172,6 +173,26 @@ final class FormCases {
             "/robots/{name}/limits",
             Map.of("reading", "range", "low", "1"),
             refused("reading", "low", "high")),
+        FormCase.of(
+            "notices/settings",
+            "/notices/settings",
+            Map.of("quietFrom", "22:00", "quietUntil", "06:00"),
+            and(
+                and(
+                    refused("quietFrom", "quietUntil", "zone"),
+                    Map.of("ownTasksOnly", TAKEN, "ends", TAKEN)),
+                refused(
+                    NoticeKind.ALL.stream().map(NoticeKind::word).toArray(String[]::new)))),
+        FormCase.of(
+            "notices/webhooks",
+            "/notices/webhooks",
+            Map.of("url", "https://8.8.8.8/", "kinds", "charger-faulty"),
+            refused("url", "kinds")),
+        FormCase.of(
+            "notices/webhooks",
+            "/notices/webhooks/{id}/change",
+            Map.of("url", "https://8.8.8.8/", "kinds", "charger-faulty"),
+            and(refused("url", "kinds"), Map.of("enabled", TAKEN))),
         FormCase.of(
             "sites",
             "/sites",

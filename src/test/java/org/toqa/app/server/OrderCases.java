@@ -13,6 +13,8 @@ import static org.toqa.app.server.Verdict.UNKNOWN_USER;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.stream.Collectors;
+import org.toqa.notices.NoticeKind;
 import org.toqa.web.WebTestServer;
 
 /** All orders of the API that have words, by hand: that none is missing, their test looks after. */
@@ -130,6 +132,18 @@ final class OrderCases {
             422),
         post(
             "robots/{name}/clear", "{'reasons':['STOP_SWITCH']}", Map.of("/reasons/0", TAKEN), 409),
+        new OrderCase("PUT", "notices/settings", noticeSettings(), noticeWords(), 200),
+        post(
+            "webhooks",
+            "{'url':'https://8.8.8.8/','kinds':['charger-faulty']}",
+            Map.of("/url", REFUSED, "/kinds/0", REFUSED),
+            201),
+        new OrderCase(
+            "PUT",
+            "webhooks/1",
+            json("{'url':'https://8.8.8.8/','kinds':['charger-faulty'],'enabled':true}"),
+            Map.of("/url", REFUSED, "/kinds/0", REFUSED),
+            200),
         post(
             "users",
             "{'name':'New{n}','password':'{password}'}",
@@ -181,6 +195,24 @@ final class OrderCases {
             "{'name':'for a program','days':30,'scopes':['read'],'password':'{password}'}",
             Map.of("/name", FORBIDDEN, "/scopes/0", FORBIDDEN, "/password", FORBIDDEN),
             403)); // made in a browser only
+  }
+
+  private static String noticeSettings() {
+    return json(
+        NoticeKind.ALL.stream()
+            .map(kind -> "'" + kind.word() + "':['badge']")
+            .collect(
+                Collectors.joining(
+                    ",",
+                    "{'channels':{",
+                    "},'quietFrom':'22:00','quietUntil':'06:00','zone':'UTC'}")));
+  }
+
+  private static Map<String, Verdict> noticeWords() {
+    Map<String, Verdict> words =
+        new HashMap<>(Map.of("/quietFrom", REFUSED, "/quietUntil", REFUSED, "/zone", REFUSED));
+    NoticeKind.ALL.forEach(kind -> words.put("/channels/" + kind.word() + "/0", REFUSED));
+    return words;
   }
 
   private static Map<String, Verdict> drawing() {

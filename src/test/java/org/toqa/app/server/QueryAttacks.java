@@ -36,6 +36,7 @@ final class QueryAttacks {
           "/", Map.of("next", TAKEN, "done", TAKEN),
           "/reset", Map.of("secret", REDIRECTED),
           "/tasks", Map.of("page", TAKEN, "imported", TAKEN),
+          "/notices", Map.of("show", REFUSED, "before", REFUSED),
           "/users", Map.of("done", TAKEN),
           "/history", Map.of("before", REFUSED, "zone", TAKEN),
           "/statistics", Map.of("period", REFUSED));
@@ -47,7 +48,7 @@ final class QueryAttacks {
           "/api/v1/path",
           Map.of("floor", NOT_FOUND, "start", REFUSED, "goal", REFUSED),
           "/api/v1/events",
-          Map.of("changes", UNREADABLE, "floor", REFUSED),
+          Map.of("changes", UNREADABLE, "notices", UNREADABLE, "floor", REFUSED),
           "/api/v1/tasks",
           Map.of(
               "state",
@@ -83,11 +84,12 @@ final class QueryAttacks {
               "robot", TAKEN, "user", TAKEN, "kind", REFUSED, "from", REFUSED, "until", REFUSED,
               "floor", TAKEN));
 
-  /** Lists of one floor or of all. */
+  /** Lists of one floor or of all, and of notices. */
   private static final Map<String, Map<String, Verdict>> LISTS =
       Map.of(
           "/api/v1/robots", Map.of("floor", REFUSED),
           "/api/v1/loads", Map.of("floor", REFUSED),
+          "/api/v1/notices", Map.of("show", REFUSED),
           "/api/v1/schedules", Map.of("floor", REFUSED));
 
   /** Those that are numbers, which the document of the API does not call words. */
@@ -97,6 +99,7 @@ final class QueryAttacks {
           "/api/v1/orders", Map.of("offset", UNREADABLE, "limit", UNREADABLE),
           "/api/v1/tracks/r1", Map.of("hours", UNREADABLE),
           "/api/v1/robots/r1/battery", Map.of("hours", UNREADABLE),
+          "/api/v1/notices", Map.of("before", REFUSED, "limit", UNREADABLE),
           "/api/v1/history", Map.of("task", REFUSED, "before", REFUSED, "limit", UNREADABLE));
 
   private final AttackRun run;

@@ -46,6 +46,9 @@ class PagesInBrowserTest extends PagesInBrowser {
           "statistics",
           "history",
           "laboratory",
+          "notices",
+          "notices/settings",
+          "notices/webhooks",
           "nothing");
 
   private final List<String> found = new ArrayList<>();

@@ -1,0 +1,143 @@
+package org.toqa.notices;
+
+import java.io.IOException;
+import java.net.InetAddress;
+import java.net.URI;
+import java.net.UnknownHostException;
+import java.time.Duration;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.concurrent.Executors;
+import java.util.concurrent.ScheduledExecutorService;
+import java.util.concurrent.ScheduledFuture;
+import java.util.concurrent.TimeUnit;
+import org.apache.hc.client5.http.DnsResolver;
+import org.apache.hc.client5.http.classic.methods.HttpPost;
+import org.apache.hc.client5.http.config.ConnectionConfig;
+import org.apache.hc.client5.http.config.RequestConfig;
+import org.apache.hc.client5.http.impl.classic.CloseableHttpClient;
+import org.apache.hc.client5.http.impl.classic.HttpClients;
+import org.apache.hc.client5.http.impl.io.PoolingHttpClientConnectionManagerBuilder;
+import org.apache.hc.core5.http.ContentType;
+import org.apache.hc.core5.http.io.SocketConfig;
+import org.apache.hc.core5.http.io.entity.StringEntity;
+import org.apache.hc.core5.util.Timeout;
+
+/**
+ * Posts to webhooks. The address that a name has is checked and then really connected to, each
+ * time, so that a name which leads elsewhere a moment later helps nobody; redirects are not
+ * followed, no proxy is asked, and of an answer nothing but its status is read.
+ */
+final class WebhookClient implements AutoCloseable {
+  private static final Timeout LIMIT = Timeout.ofSeconds(10);
+
+  /** Of a request as a whole, also of a receiver that answers a byte now and then. */
+  private static final Duration WHOLE_LIMIT = Duration.ofSeconds(20);
+
+  private static final int SUCCESS = 200;
+  private static final int REDIRECT = 300;
+
+  private final WebhookAddresses addresses;
+  private final CloseableHttpClient client;
+  private final ScheduledExecutorService limiter =
+      Executors.newSingleThreadScheduledExecutor(
+          Thread.ofVirtual().name("limit of webhooks").factory());
+
+  WebhookClient(WebhookAddresses addresses) {
+    this.addresses = addresses;
+    this.client =
+        HttpClients.custom()
+            .setConnectionManager(
+                PoolingHttpClientConnectionManagerBuilder.create()
+                    .setDnsResolver(new CheckedResolver())
+                    .setDefaultConnectionConfig(
+                        ConnectionConfig.custom()
+                            .setConnectTimeout(LIMIT)
+                            .setSocketTimeout(LIMIT)
+                            .build())
+                    .setDefaultSocketConfig(SocketConfig.custom().setSoTimeout(LIMIT).build())
+                    .setMaxConnPerRoute(Webhook.MOST)
+                    .setMaxConnTotal(Webhook.MOST)
+                    .build())
+            .setDefaultRequestConfig(
+                RequestConfig.custom()
+                    .setResponseTimeout(LIMIT)
+                    .setConnectionRequestTimeout(LIMIT)
+                    .build())
+            .setConnectionReuseStrategy((request, response, context) -> false)
+            .setUserAgent("Toqa")
+            .disableRedirectHandling()
+            .disableAutomaticRetries()
+            .disableCookieManagement()
+            .disableAuthCaching()
+            .disableContentCompression()
+            .build();
+  }
+
+  /** Resolves to addresses only to which a webhook may lead. */
+  private final class CheckedResolver implements DnsResolver {
+    @Override
+    public InetAddress[] resolve(String host) throws UnknownHostException {
+      List<InetAddress> allowed =
+          Arrays.stream(InetAddress.getAllByName(unbracketed(host)))
+              .filter(addresses::allows)
+              .toList();
+      if (allowed.isEmpty()) {
+        throw new UnknownHostException(
+            host + " leads to a private network, which webhooks.networks does not allow");
+      }
+      return allowed.toArray(InetAddress[]::new);
+    }
+
+    @Override
+    public String resolveCanonicalHostname(String host) {
+      return host;
+    }
+  }
+
+  private static String unbracketed(String host) {
+    return host.startsWith("[") ? host.substring(1, host.length() - 1) : host;
+  }
+
+  /**
+   * Returns when the receiver has taken it.
+   *
+   * @throws IOException it did not; the message says why, for people
+   */
+  void post(URI url, String body, Map<String, String> headers) throws IOException {
+    if (!url.getScheme().toLowerCase(Locale.ROOT).equals("https")) {
+      requireNamed(url);
+    }
+    HttpPost request = new HttpPost(url);
+    headers.forEach(request::setHeader);
+    request.setEntity(new StringEntity(body, ContentType.APPLICATION_JSON));
+    ScheduledFuture<?> end =
+        limiter.schedule(request::abort, WHOLE_LIMIT.toMillis(), TimeUnit.MILLISECONDS);
+    try {
+      int status = client.executeOpen(null, request, null).getCode();
+      if (status < SUCCESS || status >= REDIRECT) {
+        throw new IOException("It answered with the status " + status + ".");
+      }
+    } finally {
+      end.cancel(false);
+      request.abort(); // nobody reads on
+    }
+  }
+
+  /** Unencrypted only within networks that the configuration names. */
+  private void requireNamed(URI url) throws IOException {
+    for (InetAddress address : InetAddress.getAllByName(unbracketed(url.getHost()))) {
+      if (!addresses.isNamed(address)) {
+        throw new IOException("Only HTTPS leads beyond the networks of webhooks.networks.");
+      }
+    }
+  }
+
+  @Override
+  public void close() throws IOException {
+    limiter.shutdownNow();
+    client.close();
+  }
+}
