@@ -248,6 +248,7 @@ public final class WebTestServer implements AutoCloseable {
             new JdbiLabRunStore(jdbi),
             new ExperimentProcess(),
             new Semaphore(1),
+            InstantSource.system());
     WebhookAddresses webhookAddresses =
         new WebhookAddresses(List.of(WebhookAddresses.Network.parse("127.0.0.1").orElseThrow()));
     notices =

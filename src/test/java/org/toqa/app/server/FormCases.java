@@ -181,8 +181,7 @@ final class FormCases {
                 and(
                     refused("quietFrom", "quietUntil", "zone"),
                     Map.of("ownTasksOnly", TAKEN, "ends", TAKEN)),
-                refused(
-                    NoticeKind.ALL.stream().map(NoticeKind::word).toArray(String[]::new)))),
+                refused(NoticeKind.ALL.stream().map(NoticeKind::word).toArray(String[]::new)))),
         FormCase.of(
             "notices/webhooks",
             "/notices/webhooks",
