@@ -50,7 +50,7 @@
             <td data-label="<fmt:message key="notices.column.ended"/>"><c:choose><c:when test="${notice.isOpen()}"><span class="ongoing"><fmt:message key="notices.ongoing"/></span></c:when><c:otherwise><t:time at="${notice.endedAt}"/></c:otherwise></c:choose></td>
             <td data-label="<fmt:message key="notices.column.seen"/>">
               <c:if test="${empty line.entry.seen}"><span class="faint"><fmt:message key="notices.seen.nobody"/></span></c:if>
-              <c:forEach items="${line.entry.seen}" var="one"><p class="small"><bdi><c:out value="${one.name()}"/></bdi>, <t:time at="${one.at()}"/></p></c:forEach>
+              <c:forEach items="${line.entry.seen}" var="one"><p class="small"><bdi><c:out value="${one.name()}"/></bdi><fmt:message key="common.comma"/><t:time at="${one.at()}"/></p></c:forEach>
             </td>
             <td data-label="<fmt:message key="notices.column.told"/>">
               <c:if test="${empty line.deliveries}"><span class="faint"><fmt:message key="common.none"/></span></c:if>

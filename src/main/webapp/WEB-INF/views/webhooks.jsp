@@ -24,7 +24,7 @@
     <article class="card" id="${id}">
       <h2 class="address"><bdi dir="ltr"><c:out value="${webhook.url}"/></bdi></h2>
       <p class="faint">
-        <c:if test="${not webhook.enabled}"><strong><fmt:message key="webhooks.disabled"/></strong> · </c:if><fmt:message key="webhooks.by"/>${" "}<bdi><c:out value="${webhook.createdBy}"/></bdi>, <t:time at="${webhook.createdAt}"/>
+        <c:if test="${not webhook.enabled}"><strong><fmt:message key="webhooks.disabled"/></strong> · </c:if><fmt:message key="webhooks.by"/>${" "}<bdi><c:out value="${webhook.createdBy}"/></bdi><fmt:message key="common.comma"/><t:time at="${webhook.createdAt}"/>
         <c:if test="${not empty line.last}"> · <fmt:message key="webhooks.last"/>: <fmt:message key="notices.told.${line.last.state}"/><c:if test="${not empty line.last.doneAt}">${" "}<t:time at="${line.last.doneAt}"/></c:if><c:if test="${not empty line.last.failure}"> – <bdi lang="en" dir="ltr"><c:out value="${line.last.failure}"/></bdi></c:if></c:if>
       </p>
       <div class="choices">
