@@ -51,14 +51,18 @@
         <t:chart chart="${chart}"/>
       </c:forEach>
       <article>
-        <h2><fmt:message key="statistics.causes"/></h2>
-        <p class="faint"><fmt:message key="statistics.causes.description"/></p>
-        <ul>
-          <c:forEach items="${total.failures()}" var="failure">
-            <c:url value="/history" var="history"><c:param name="kind" value="${failure.key.kind()}"/><c:param name="from" value="${period.begin()}"/><c:param name="until" value="${period.end()}"/></c:url>
-            <li><a href="<c:out value="${history}"/>"><fmt:message key="statistics.column.${failure.key}"/></a>: <fmt:formatNumber value="${failure.value}"/></li>
-          </c:forEach>
-        </ul>
+        <c:forTokens items="causes,planned" delims="," var="list">
+          <h2><fmt:message key="statistics.${list}"/></h2>
+          <p class="faint"><fmt:message key="statistics.interruptions.${list}"/></p>
+          <ul id="${list}">
+            <c:forEach items="${total.failures()}" var="failure">
+              <c:if test="${failure.key.isPlanned() == (list == 'planned')}">
+                <c:url value="/history" var="history"><c:param name="kind" value="${failure.key.kind()}"/><c:param name="from" value="${period.begin()}"/><c:param name="until" value="${period.end()}"/></c:url>
+                <li><a href="<c:out value="${history}"/>"><fmt:message key="statistics.column.${failure.key}"/></a>: <fmt:formatNumber value="${failure.value}"/></li>
+              </c:if>
+            </c:forEach>
+          </ul>
+        </c:forTokens>
       </article>
       <t:chart chart="${utilisation}"/>
     </div>

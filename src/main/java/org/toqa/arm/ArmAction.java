@@ -9,6 +9,7 @@ public enum ArmAction {
   /** The hand brings the load to its place, lets it go, and comes back to its rest. */
   PLACE(List.of(ArmStep.REACH, ArmStep.RELEASE, ArmStep.FOLD));
 
+  @SuppressWarnings("ImmutableEnumChecker") // a list that cannot be changed
   private final List<ArmStep> steps;
 
   ArmAction(List<ArmStep> steps) {

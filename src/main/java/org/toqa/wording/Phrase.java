@@ -427,6 +427,10 @@ public enum Phrase {
 
   // What happened to a robot, a floor or the fleet
   SERVER_HAD_ENDED,
+  SERVER_STARTED,
+  SERVER_STOPPED,
+  DATABASE_WENT_AWAY,
+  DATABASE_CAME_BACK,
   ALL_PAUSED,
   ALL_LET_GO_ON,
   FLOOR_PUT_ON_HOLD,

@@ -49,6 +49,8 @@ class DatabaseOutageIT {
         goesAwayAndComesBack(server, "frozen", mySql::freeze, mySql::thaw);
         goesAwayAndComesBack(server, "killed", mySql::kill, mySql::startAgain);
         assertEquals(4, server.api().get("tasks").size());
+        server.await("history?kind=fleet.database-back", h -> h.get("events").size() == 4);
+        assertEquals(4, server.api().get("history?kind=fleet.database-away").get("events").size());
       }
     }
   }

@@ -44,6 +44,7 @@ public final class WorkHistory {
     saveState(addTask(at), TaskState.CANCELLED, at.plusSeconds(1));
     addTask(at);
     addFailure(at, "task.robot-failed");
+    addFailure(at, "task.robot-withdrawn");
     addRobot("=r1");
     addRobot("r2, \"old\"");
     uses.save(

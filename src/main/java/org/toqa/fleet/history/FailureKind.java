@@ -3,12 +3,13 @@ package org.toqa.fleet.history;
 import java.util.stream.Stream;
 import org.toqa.fleet.EventKind;
 
-/** What goes wrong, as the history tells it. */
+/** What interrupts work, as the history tells it: what goes wrong, and what was meant so. */
 public enum FailureKind {
   /** A robot that had a task reported an error, or was not heard of for too long. */
   ROBOT_FAILED(EventKind.TASK_ROBOT_FAILED),
   /** A robot that had a task was not heard of for a few seconds. */
   ROBOT_LOST(EventKind.TASK_ROBOT_LOST),
+  /** A person took a robot that had a task out of service. */
   ROBOT_WITHDRAWN(EventKind.TASK_ROBOT_WITHDRAWN),
   /** A robot had to charge before it had fetched the load, and gave the task back. */
   ROBOT_CHARGES(EventKind.TASK_ROBOT_CHARGES),
@@ -27,6 +28,11 @@ public enum FailureKind {
   /** The kind of its events, as it is stored. */
   public String kind() {
     return kind.text();
+  }
+
+  /** Whether nothing has failed: a person wanted it so, or a battery was to be charged. */
+  public boolean isPlanned() {
+    return this == ROBOT_WITHDRAWN || this == ROBOT_CHARGES;
   }
 
   public static FailureKind of(String kind) {

@@ -26,8 +26,11 @@ public record WorkStatistics(
     double battery,
     Map<FailureKind, Long> failures) {
 
-  /** Failures of all kinds, counted. */
+  /** What has failed, counted; not what was meant so. */
   public long failureCount() {
-    return failures.values().stream().mapToLong(Long::longValue).sum();
+    return failures.entrySet().stream()
+        .filter(failure -> !failure.getKey().isPlanned())
+        .mapToLong(Map.Entry::getValue)
+        .sum();
   }
 }

@@ -152,7 +152,7 @@ public final class AgentFleet implements Fleet, AutoCloseable {
             new PendingSubmissions(),
             new TaskFloors(),
             new StoreHealthCheck(
-                store, answers -> forEachRunning(floor -> floor.tellStoreHealth(answers))));
+                store, clock, answers -> forEachRunning(floor -> floor.tellStoreHealth(answers))));
     this.schedules = new StoredSchedules(scheduleStore, this, clock);
     this.snapshots =
         new SiteSnapshots(

@@ -84,13 +84,17 @@ final class StatisticsCharts {
   private Chart failures() {
     return series(
         "failures",
-        Stream.of(FailureKind.values())
+        failureKinds()
             .map(failure -> new Column(failure.name(), Shape.BAR, Unit.COUNT))
             .toList(),
         f ->
-            Stream.of(FailureKind.values())
+            failureKinds()
                 .map(failure -> f.failures().getOrDefault(failure, 0L).doubleValue())
                 .toList());
+  }
+
+  private static Stream<FailureKind> failureKinds() {
+    return Stream.of(FailureKind.values()).filter(kind -> !kind.isPlanned());
   }
 
   private Chart series(

@@ -92,6 +92,8 @@ class FailedServerTest {
         });
     assertEquals(0, run((_, _, _) -> 0), "it was stopped");
     assertEquals(0, killsTold(folder));
+    assertEquals(2, told(folder, "fleet.server-started"));
+    assertEquals(2, told(folder, "fleet.server-stopped"));
     run((_, _, _) -> 0, Map.of(Setting.DATA, left.toString()));
     assertEquals(1, killsTold(left));
     run((_, _, _) -> 0, Map.of(Setting.DATA, left.toString()));
@@ -99,8 +101,12 @@ class FailedServerTest {
   }
 
   private static int killsTold(Path data) {
+    return told(data, "fleet.server-ended");
+  }
+
+  private static int told(Path data, String kind) {
     EventArchive.Filter ended =
-        new EventArchive.Filter(null, null, null, "fleet.server-ended", null, null, false);
+        new EventArchive.Filter(null, null, null, kind, null, null, false);
     try (Database database = Database.open(Database.fileUrl(data.resolve("toqa")), "", "")) {
       return new JdbiEventArchive(database.jdbi()).events(ended, Long.MAX_VALUE, 10).size();
     }

@@ -153,7 +153,7 @@ class StatisticsTest {
     assertEquals(
         "2026-11-20T00:00:00+01:00,2026-11-21T00:00:00+01:00,4,2,0,1,"
             + "2,20.000,10.000,30.000,2,110.000,60.000,160.000,2,210.000,120.000,300.000,"
-            + "150.000,2.500,1,0,0,0,0,0,0", // 100 * (0.02 + 0.005) of a battery
+            + "150.000,2.500,1,0,1,0,0,0,0", // 100 * (0.02 + 0.005) of a battery
         lines.get(5));
   }
 
@@ -188,6 +188,12 @@ class StatisticsTest {
         page);
     assertTrue(page.contains("data-value=\"0.6666666666666666\">66.7%</td>"), "1200 s of 1800 s");
     assertTrue(page.contains("kind=task.robot-failed"), "failures lead to the history");
+    assertTrue(
+        page.matches("(?s).*Failures</p>\\s*<p class=\"figure\">1</p>.*"),
+        "what was meant so is no failure");
+    assertTrue(
+        page.matches("(?s).*id=\"planned\">.*kind=task.robot-withdrawn[^>]*>[^<]*</a>: 1</li>.*"),
+        "but it is told");
     assertTrue(page.contains("<details open>"), "without JavaScript the tables are seen");
     assertFalse(page.contains("style="), "the policy allows no style in a page");
   }
