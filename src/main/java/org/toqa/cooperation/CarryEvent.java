@@ -30,11 +30,7 @@ public sealed interface CarryEvent {
    * @param station the charging station that it stands at
    */
   record RobotReported(
-      String robot,
-      Vec2 position,
-      double battery,
-      double workSeconds,
-      @Nullable Integer station)
+      String robot, Vec2 position, double battery, double workSeconds, @Nullable Integer station)
       implements CarryEvent {}
 
   /** A worker is at its box and has weighed it by the load sensor of its arm. */

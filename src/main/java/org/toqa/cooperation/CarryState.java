@@ -51,8 +51,7 @@ public record CarryState(
       robots.put(supervisor, unknown.doing(Activity.IDLE));
     }
     workers.forEach(worker -> robots.put(worker, unknown));
-    return new CarryState(
-        supervisor, Map.of(), robots, Map.of(), stations, Set.of(), List.of());
+    return new CarryState(supervisor, Map.of(), robots, Map.of(), stations, Set.of(), List.of());
   }
 
   /** Whether the store is seen and each box in it is at its target. */

@@ -12,11 +12,7 @@ import org.toqa.geometry.Vec2;
  * @param workSeconds since it last charged
  */
 public record KnownRobot(
-    Activity activity,
-    @Nullable Integer box,
-    Vec2 position,
-    double battery,
-    double workSeconds) {
+    Activity activity, @Nullable Integer box, Vec2 position, double battery, double workSeconds) {
 
   /** What it does now. */
   public enum Activity {

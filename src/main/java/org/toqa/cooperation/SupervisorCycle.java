@@ -30,7 +30,6 @@ import org.toqa.cooperation.CarryEvent.WorkerBack;
 import org.toqa.cooperation.CarryEvent.WorkerLost;
 import org.toqa.cooperation.KnownBox.Stage;
 import org.toqa.cooperation.KnownRobot.Activity;
-import org.toqa.geometry.Vec2;
 
 /**
  * The cycle of CMCT: after each event the supervisor looks at its own battery first, then at those
@@ -46,9 +45,9 @@ import org.toqa.geometry.Vec2;
  *   <li>Meanwhile the supervisor searches on, unless the rules have it wait for its workers.
  * </ol>
  *
- * <p>Without a supervisor the same holds but for step 1, each worker goes to the nearest box that it
- * has seen itself and that no other goes for, and searches while it has none (as in CMOMMT: Parker,
- * 2002).
+ * <p>Without a supervisor the same holds but for step 1, each worker goes to the nearest box that
+ * it has seen itself and that no other goes for, and searches while it has none (as in CMOMMT:
+ * Parker, 2002).
  *
  * <p>Nothing depends on what the supervisor remembers: one that starts anew hears from its workers
  * what they hold, and sees boxes, delivered ones too, again.
@@ -397,9 +396,7 @@ public final class SupervisorCycle {
   }
 
   private long aliveWorkers() {
-    return state.workers().stream()
-        .filter(w -> state.robot(w).activity() != Activity.LOST)
-        .count();
+    return state.workers().stream().filter(w -> state.robot(w).activity() != Activity.LOST).count();
   }
 
   private void askForWorkers() {

@@ -17,24 +17,21 @@ class RightOfWayTest {
 
   @Test
   void twoThatAreTooCloseStandAndOnePasses() {
-    RightOfWay next =
-        RightOfWay.CLEAR.next(List.of(at("R1", 0, true), at("R2", 4, true)), 5);
+    RightOfWay next = RightOfWay.CLEAR.next(List.of(at("R1", 0, true), at("R2", 4, true)), 5);
 
     assertEquals("R1", next.passing());
     assertTrue(next.mayDrive("R1"));
     assertFalse(next.mayDrive("R2"));
     RightOfWay arrived = next.next(List.of(at("R1", 0, false), at("R2", 4, true)), 5);
     assertEquals("R2", arrived.passing());
-    assertEquals(
-        RightOfWay.CLEAR, next.next(List.of(at("R1", 0, true), at("R2", 5.1, true)), 5));
+    assertEquals(RightOfWay.CLEAR, next.next(List.of(at("R1", 0, true), at("R2", 5.1, true)), 5));
   }
 
   @Test
   void whoCarriesGoesFirst() {
     Place carrier = new Place("R2", new Vec2(4, 0), true, true, null);
 
-    assertEquals(
-        "R2", RightOfWay.CLEAR.next(List.of(at("R1", 0, true), carrier), 5).passing());
+    assertEquals("R2", RightOfWay.CLEAR.next(List.of(at("R1", 0, true), carrier), 5).passing());
   }
 
   @Test

@@ -57,8 +57,7 @@ class SupervisorCycleTest {
 
   @Test
   void aBoxGoesToTheNearestWorkerAndTheNextOneIsLookedForMeanwhile() {
-    assertEquals(
-        List.of(new Search("R3", false)), tell(new WorkerBack("R1", null, null)));
+    assertEquals(List.of(new Search("R3", false)), tell(new WorkerBack("R1", null, null)));
     begin();
 
     assertEquals(List.of(new GoToBox("R2", 1, false)), see(1, 80));
@@ -84,8 +83,7 @@ class SupervisorCycleTest {
     see(1, 20);
 
     assertEquals(List.of(new GoToBox("R2", 1, true)), tell(new BoxWeighed("R1", 5.01)));
-    assertEquals(
-        List.of(new Carry(List.of("R1", "R2"), 1)), tell(new SecondArrived("R2")));
+    assertEquals(List.of(new Carry(List.of("R1", "R2"), 1)), tell(new SecondArrived("R2")));
   }
 
   @Test
@@ -118,8 +116,7 @@ class SupervisorCycleTest {
   void lowWorkersGoToDifferentStationsAndTheThirdRobotWaits() {
     begin();
     assertEquals(
-        List.of(new Charge("R1", 0)),
-        tell(new RobotReported("R1", new Vec2(10, 0), 0.1, 0, null)));
+        List.of(new Charge("R1", 0)), tell(new RobotReported("R1", new Vec2(10, 0), 0.1, 0, null)));
     assertEquals(
         List.of(new Charge("R2", 1)),
         tell(new RobotReported("R2", new Vec2(20, 0), 1, CarryRules.WORK_TIME, null)));
@@ -127,8 +124,7 @@ class SupervisorCycleTest {
         List.of(new Wait("R3")), tell(new RobotReported("R3", new Vec2(50, 0), 0.1, 0, null)));
 
     report("R1", 0, 1);
-    assertEquals(
-        List.of(new Park("R1"), new Charge("R3", 0)), tell(new RobotCharged("R1")));
+    assertEquals(List.of(new Park("R1"), new Charge("R3", 0)), tell(new RobotCharged("R1")));
   }
 
   @Test
@@ -160,8 +156,7 @@ class SupervisorCycleTest {
 
     assertTrue(tell(new WorkerLost("R2")).contains(new AskForWorker(1)));
     assertEquals(List.of(), tell(new MapGrown()), "once");
-    assertEquals(
-        List.of(new GoToBox("R2", 1, true)), tell(new WorkerBack("R2", null, null)));
+    assertEquals(List.of(new GoToBox("R2", 1, true)), tell(new WorkerBack("R2", null, null)));
   }
 
   @Test
@@ -170,8 +165,7 @@ class SupervisorCycleTest {
     report("R2", 12, 1);
     tell(new WorkerBack("R1", 7, "R2"));
 
-    assertEquals(
-        List.of(new Carry(List.of("R1", "R2"), 7)), tell(new WorkerBack("R2", 7, "R1")));
+    assertEquals(List.of(new Carry(List.of("R1", "R2"), 7)), tell(new WorkerBack("R2", 7, "R1")));
     tell(new BoxDelivered(7));
     tell(new BoxSeen("R3", 8, new Vec2(5, 5), true));
     assertFalse(state.isDone());
@@ -185,12 +179,10 @@ class SupervisorCycleTest {
     begin();
 
     assertEquals(
-        List.of(new GoToBox("R1", 1, false)),
-        tell(new BoxSeen("R1", 1, new Vec2(88, 0), false)));
+        List.of(new GoToBox("R1", 1, false)), tell(new BoxSeen("R1", 1, new Vec2(88, 0), false)));
     assertEquals(List.of(), tell(new BoxSeen("R2", 1, new Vec2(88, 0), false)));
     assertEquals(List.of(), tell(new BoxSeen("R1", 2, new Vec2(89, 0), false)));
     assertEquals(
-        List.of(new GoToBox("R2", 2, false)),
-        tell(new BoxSeen("R2", 2, new Vec2(89, 0), false)));
+        List.of(new GoToBox("R2", 2, false)), tell(new BoxSeen("R2", 2, new Vec2(89, 0), false)));
   }
 }

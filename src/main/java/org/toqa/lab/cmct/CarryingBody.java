@@ -7,7 +7,9 @@ import java.util.TreeMap;
 import org.jspecify.annotations.Nullable;
 import org.toqa.geometry.Vec2;
 
-/** A simulated robot: it goes from the middle of a cell to that of the next one, and stops there. */
+/**
+ * A simulated robot: it goes from the middle of a cell to that of the next one, and stops there.
+ */
 final class CarryingBody {
   static final double RADIUS = 0.5;
 

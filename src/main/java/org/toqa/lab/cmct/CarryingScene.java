@@ -28,9 +28,7 @@ record CarryingScene(
   private static final int FINE = 10;
 
   /** Where robots begin, from the corner of a cell of the store: more than D_s apart. */
-  private static final Vec2[] STARTS = {
-    new Vec2(5.5, 8.5), new Vec2(1.5, 1.5), new Vec2(8.5, 1.5)
-  };
+  private static final Vec2[] STARTS = {new Vec2(5.5, 8.5), new Vec2(1.5, 1.5), new Vec2(8.5, 1.5)};
 
   /**
    * @param place metres
@@ -50,8 +48,7 @@ record CarryingScene(
         occupied.set(i, random.nextDouble() < density);
       }
       OccupancyGrid store =
-          new OccupancyGrid(
-              StoreScene.SIDE, StoreScene.SIDE, StoreScene.CELL, Vec2.ZERO, occupied);
+          new OccupancyGrid(StoreScene.SIDE, StoreScene.SIDE, StoreScene.CELL, Vec2.ZERO, occupied);
       List<Cell> cells = connected(store, random);
       if (cells.size() >= 3 + 2 * boxes) {
         return of(store, cells, boxes, heavy, threshold, random);
@@ -88,8 +85,8 @@ record CarryingScene(
       boolean isHeavy = random.nextDouble() < heavy;
       double kilograms = threshold * (isHeavy ? 1.1 : 0.1) + random.nextDouble(0.9 * threshold);
       boxes.add(
-          new Box(middle(store, cells.get(3 + 2 * i)), middle(store, cells.get(4 + 2 * i)),
-              kilograms));
+          new Box(
+              middle(store, cells.get(3 + 2 * i)), middle(store, cells.get(4 + 2 * i)), kilograms));
     }
     Vec2 corner = store.centre(cells.getFirst()).minus(new Vec2(5, 5));
     return new CarryingScene(

@@ -12,7 +12,6 @@ import java.util.Set;
 import java.util.TreeMap;
 import java.util.TreeSet;
 import java.util.stream.IntStream;
-import org.jspecify.annotations.Nullable;
 import org.toqa.cooperation.CarryCommand;
 import org.toqa.cooperation.CarryEvent;
 import org.toqa.cooperation.CarryState;
@@ -285,8 +284,16 @@ final class CarryingWorld {
       text.append(
           "\n%s at %s, %s %d to %s, %d cells, busy %.1f, alive %s, holds %s, battery %.2f"
               .formatted(
-                  body.name, body.position, body.errand, body.about, body.goal, body.path.size(),
-                  body.busy, body.isAlive, body.held, body.battery));
+                  body.name,
+                  body.position,
+                  body.errand,
+                  body.about,
+                  body.goal,
+                  body.path.size(),
+                  body.busy,
+                  body.isAlive,
+                  body.held,
+                  body.battery));
     }
     return text + "\n" + state;
   }
@@ -504,8 +511,7 @@ final class CarryingWorld {
         station = i;
       }
     }
-    return new CarryEvent.RobotReported(
-        body.name, body.position, body.battery, body.work, station);
+    return new CarryEvent.RobotReported(body.name, body.position, body.battery, body.work, station);
   }
 
   private static CarryEvent back(CarryingBody body) {
@@ -811,7 +817,9 @@ final class CarryingWorld {
    * there is a free one opposite, since it may take two.
    */
   private static List<Vec2> sides(CarryingBody body, OccupancyGrid grid, Vec2 box) {
-    Vec2[] ways = {new Vec2(-REACH, 0), new Vec2(REACH, 0), new Vec2(0, -REACH), new Vec2(0, REACH)};
+    Vec2[] ways = {
+      new Vec2(-REACH, 0), new Vec2(REACH, 0), new Vec2(0, -REACH), new Vec2(0, REACH)
+    };
     List<Vec2> sides = new ArrayList<>();
     for (Vec2 way : ways) {
       if (grid.isFree(box.plus(way))) {
@@ -842,8 +850,7 @@ final class CarryingWorld {
     boolean isForTwo = floorForTwo.isFree(box);
     OccupancyGrid alone = mapOf(body).passable(CarryingBody.RADIUS);
     Vec2 from = box.plus(body.side);
-    return sides(body, alone, target).stream()
-            .anyMatch(side -> isJoined(alone, from, side))
+    return sides(body, alone, target).stream().anyMatch(side -> isJoined(alone, from, side))
         && (!isForTwo || isJoined(mapOf(body).passable(both), box, target));
   }
 
@@ -883,8 +890,7 @@ final class CarryingWorld {
 
   private boolean mayDrive(CarryingBody body) {
     CarryingBody other = body.partner;
-    return rightOfWay.mayDrive(body.name)
-            && (other == null || rightOfWay.mayDrive(other.name))
+    return rightOfWay.mayDrive(body.name) && (other == null || rightOfWay.mayDrive(other.name))
         || (other != null && other.name.equals(rightOfWay.passing()))
         || body.name.equals(rightOfWay.passing());
   }
@@ -945,8 +951,7 @@ final class CarryingWorld {
                     .thenComparing(body -> body.name, Comparator.reverseOrder()))
             .toList();
     for (CarryingBody body : candidates) {
-      OccupancyGrid grid =
-          without(body, standing(body), CarryingBody.RADIUS, 0, body.next());
+      OccupancyGrid grid = without(body, standing(body), CarryingBody.RADIUS, 0, body.next());
       for (Cell cell : Flood.from(grid, grid.cellAt(body.next()))) {
         Vec2 there = grid.centre(cell);
         if (isRoomy(body, there)
@@ -979,8 +984,7 @@ final class CarryingWorld {
   private void measure() {
     for (int i = 0; i < bodies.size(); i++) {
       for (int j = 0; j < i; j++) {
-        nearest =
-            Math.min(nearest, bodies.get(i).position.distanceTo(bodies.get(j).position));
+        nearest = Math.min(nearest, bodies.get(i).position.distanceTo(bodies.get(j).position));
       }
     }
     if (!isEachAtTarget()) {

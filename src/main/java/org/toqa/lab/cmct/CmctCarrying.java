@@ -315,15 +315,13 @@ public final class CmctCarrying implements Experiment {
                   .map(delivery -> new Chart.Point(delivery.driven(), delivery.time()))
                   .toList()));
     }
-    return new Chart(
-        name, title + "; the first store", "m driven by both workers", "s", series);
+    return new Chart(name, title + "; the first store", "m driven by both workers", "s", series);
   }
 
   private static Scene scene(CarryingScene scene) {
     List<Scene.Mark> marks = new ArrayList<>(StoreMarks.walls(scene.store()));
     for (CarryingScene.Box box : scene.boxes()) {
-      marks.add(
-          new Scene.Line(List.of(box.place(), box.target()), Colour.LIGHT, true, ""));
+      marks.add(new Scene.Line(List.of(box.place(), box.target()), Colour.LIGHT, true, ""));
       marks.add(new Scene.Disc(box.place(), 1, Colour.ORANGE));
       marks.add(
           new Scene.Label(
@@ -335,8 +333,7 @@ public final class CmctCarrying implements Experiment {
     marks.add(new Scene.Line(List.of(), Colour.ORANGE, false, "box, with its way to its target"));
     marks.add(new Scene.Line(List.of(), Colour.GREEN, false, "charging station"));
     marks.add(new Scene.Line(List.of(), Colour.BLUE, false, "where a robot begins"));
-    return new Scene(
-        "store", "The first store, 100 x 100 m", Vec2.ZERO, new Vec2(100, 100), marks);
+    return new Scene("store", "The first store, 100 x 100 m", Vec2.ZERO, new Vec2(100, 100), marks);
   }
 
   private static List<CarryingWorld> of(Map<Team, List<CarryingWorld>> worlds, Team team) {

@@ -152,8 +152,7 @@ public final class CmctPlanning implements Experiment {
 
   private static void addDistances(List<Figure> figures, PlannerSamples samples, String figure) {
     Spread same =
-        ratio(
-            samples, PlannerMethod.CMCT, PlannerMethod.A_STAR, PlannerSamples.TASKS, Sum::metres);
+        ratio(samples, PlannerMethod.CMCT, PlannerMethod.A_STAR, PlannerSamples.TASKS, Sum::metres);
     Spread best =
         Spread.ofRatios(
             samples.shortest(PlannerSamples.TASKS),
@@ -203,20 +202,19 @@ public final class CmctPlanning implements Experiment {
     return new Figure(
         "figure 9: CMCT-PP finds shorter paths than A* from cell to cell",
         Value.of("yes"),
-        Value.of("shorter in %d stores of %d, longer in %d".formatted(shorter, ours.length, longer)),
+        Value.of(
+            "shorter in %d stores of %d, longer in %d".formatted(shorter, ours.length, longer)),
         Value.NONE,
         longer == 0 && shorter > ours.length / 2 ? Verdict.REPRODUCED : Verdict.REFUTED,
         "Without obstacles it is the straight line.");
   }
 
-  private static void addGrowth(
-      List<Figure> figures, PlannerSamples free, PlannerSamples crowded) {
+  private static void addGrowth(List<Figure> figures, PlannerSamples free, PlannerSamples crowded) {
     for (PlannerMethod method : List.of(PlannerMethod.CMCT, PlannerMethod.A_STAR)) {
       // over the straight line, since the places of the two kinds of stores are not the same
       double with =
           Spread.ofRatios(
-                  crowded.values(method, PlannerSamples.TASKS, Sum::metres),
-                  straight(crowded))
+                  crowded.values(method, PlannerSamples.TASKS, Sum::metres), straight(crowded))
               .mean();
       double without =
           Spread.ofRatios(free.values(method, PlannerSamples.TASKS, Sum::metres), straight(free))
@@ -255,8 +253,7 @@ public final class CmctPlanning implements Experiment {
         .toArray();
   }
 
-  private static void addMemory(
-      List<Figure> figures, PlannerSamples free, PlannerSamples crowded) {
+  private static void addMemory(List<Figure> figures, PlannerSamples free, PlannerSamples crowded) {
     double kept = most(free, crowded, PlannerMethod.CMCT);
     figures.add(
         new Figure(
@@ -265,7 +262,8 @@ public final class CmctPlanning implements Experiment {
             Value.of(kept, ""),
             Value.NONE,
             kept == 0 ? Verdict.REPRODUCED : Verdict.REFUTED,
-            "A* with the same moves: " + Math.round(most(free, crowded, PlannerMethod.A_STAR))
+            "A* with the same moves: "
+                + Math.round(most(free, crowded, PlannerMethod.A_STAR))
                 + "."));
     double visited =
         mean(crowded, PlannerMethod.A_STAR, PlannerSamples.TASKS, Sum::visited)
@@ -369,9 +367,7 @@ public final class CmctPlanning implements Experiment {
       List<String> row = new ArrayList<>(List.of(Integer.toString(tasks)));
       for (PlannerMethod method : PlannerMethod.values()) {
         row.add(Spread.of(samples.values(method, tasks, Sum::visited)).text(0));
-        row.add(
-            String.format(
-                Locale.ROOT, "%.0f", mean(samples, method, tasks, Sum::micros)));
+        row.add(String.format(Locale.ROOT, "%.0f", mean(samples, method, tasks, Sum::micros)));
       }
       rows.add(row);
     }
@@ -451,8 +447,7 @@ public final class CmctPlanning implements Experiment {
       PlannerMethod by,
       int tasks,
       ToDoubleFunction<Sum> value) {
-    return Spread.ofRatios(
-        samples.values(method, tasks, value), samples.values(by, tasks, value));
+    return Spread.ofRatios(samples.values(method, tasks, value), samples.values(by, tasks, value));
   }
 
   private static double rounded(double value) {

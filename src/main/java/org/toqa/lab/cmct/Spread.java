@@ -27,7 +27,6 @@ record Spread(double mean, double deviation) {
    * @param decimals of both
    */
   String text(int decimals) {
-    return String.format(
-        Locale.ROOT, "%." + decimals + "f ± %." + decimals + "f", mean, deviation);
+    return String.format(Locale.ROOT, "%." + decimals + "f ± %." + decimals + "f", mean, deviation);
   }
 }

@@ -44,7 +44,7 @@ class CarryingWorldPropertyTest {
   }
 
   /** Supervisor and workers fail at any moment, and start again within two minutes. */
-  @Property(tries = 100, shrinking = ShrinkingMode.OFF)
+  @Property(tries = 8, shrinking = ShrinkingMode.OFF)
   void nothingIsLostWhenRobotsFail(@ForAll long seed) {
     assertCarries(seed, true, true, 800);
   }
