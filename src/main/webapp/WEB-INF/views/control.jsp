@@ -18,7 +18,7 @@
   <p id="connection" class="notice bad" role="alert" hidden></p>
   <noscript><p class="notice bad"><fmt:message key="control.noscript"/></p></noscript>
   <div class="choices">
-    <c:if test="${caller.mayManage()}">
+    <c:if test="${caller.mayOperate()}">
       <c:url value="/robots/${robot.name}/hold" var="hold"/>
       <form id="stop" method="post" action="<c:out value="${hold}"/>"><t:csrf/><button class="danger"><fmt:message key="control.stop"/></button></form>
       <c:url value="/robots/${robot.name}/resume" var="resume"/>
@@ -40,7 +40,7 @@
       <p class="faint"><fmt:message key="robot.position"/>: <bdi id="pose" dir="ltr">–</bdi></p>
     </article>
     <div class="side">
-      <c:if test="${caller.mayManage()}">
+      <c:if test="${caller.mayOperate()}">
         <article class="hand-card" id="hand">
           <h2><fmt:message key="control.hand"/></h2>
           <p class="faint"><fmt:message key="control.hand.intro"/></p>
