@@ -2,6 +2,7 @@ package org.toqa.lab.record;
 
 import java.time.Duration;
 import java.time.InstantSource;
+import java.time.temporal.ChronoUnit;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
@@ -106,7 +107,7 @@ public final class Laboratory implements AutoCloseable {
     if (kept.size() >= MOST_KEPT) {
       return new Ordered.ArchiveFull();
     }
-    LabRun run = store.add(order, user, clock.instant());
+    LabRun run = store.add(order, user, clock.instant().truncatedTo(ChronoUnit.MILLIS));
     waiting.add(run.id());
     return new Ordered.Queued(run);
   }

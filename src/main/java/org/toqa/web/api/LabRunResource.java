@@ -3,10 +3,14 @@ package org.toqa.web.api;
 import jakarta.servlet.http.HttpServletRequest;
 import jakarta.servlet.http.HttpServletResponse;
 import java.io.IOException;
+import java.math.BigDecimal;
 import java.nio.charset.StandardCharsets;
 import java.util.List;
+import java.util.regex.Pattern;
+import org.jspecify.annotations.Nullable;
 import org.toqa.lab.experiment.Figure;
 import org.toqa.lab.experiment.Table;
+import org.toqa.lab.experiment.Value;
 import org.toqa.lab.record.KeptDrawing;
 import org.toqa.lab.record.KeptReport;
 import org.toqa.lab.record.LabRun;
@@ -19,6 +23,8 @@ import org.toqa.web.Texts;
 public final class LabRunResource extends ApiHandler {
   private static final List<String> FIGURES =
       List.of("name", "published", "measured", "bound", "verdict", "reason");
+
+  private static final Pattern NUMBER = Pattern.compile("-?[0-9]{1,15}(\\.[0-9]{1,15})?");
 
   public static void get(HttpServletRequest request, HttpServletResponse response)
       throws IOException {
@@ -59,13 +65,22 @@ public final class LabRunResource extends ApiHandler {
     for (Figure figure : report(request, run).figures()) {
       csv.addLine(
           figure.name(),
-          figure.published().text(),
-          figure.measured().text(),
-          figure.bound().text(),
+          text(figure.published()),
+          text(figure.measured()),
+          text(figure.bound()),
           figure.verdict().word(),
           figure.reason());
     }
     csv.send(response, fileName(run, "figures.csv"));
+  }
+
+  private static @Nullable String text(Value value) {
+    return value instanceof Value.None ? null : value.text();
+  }
+
+  /** A number as one, which no spreadsheet takes for a formula. */
+  private static Object cell(String text) {
+    return NUMBER.matcher(text).matches() ? new BigDecimal(text) : text;
   }
 
   public static void table(HttpServletRequest request, HttpServletResponse response)
@@ -78,7 +93,7 @@ public final class LabRunResource extends ApiHandler {
             .findFirst()
             .orElseThrow(() -> notFound(request, "problem.laboratory.noSuchPart"));
     CsvWriter csv = new CsvWriter(table.columns());
-    table.rows().forEach(row -> csv.addLine(row.toArray()));
+    table.rows().forEach(row -> csv.addLine(row.stream().map(LabRunResource::cell).toArray()));
     csv.send(response, fileName(run, table.name() + ".csv"));
   }
 

@@ -34,8 +34,15 @@ public final class LabOrderReader {
 
   /** The same, where parameters are an object in it. */
   public static LabOrder readJson(Fields fields) {
-    return new LabOrderReader(fields)
-        .read(name -> fields.has(name) ? fields.object(name) : null, Function.identity());
+    return new LabOrderReader(fields).read(name -> object(fields, name), Function.identity());
+  }
+
+  private static @Nullable Fields object(Fields fields, String name) {
+    if (fields.has(name)) {
+      return fields.object(name);
+    }
+    var _ = fields.text(name); // so that who wrote another field is told of this one
+    return null;
   }
 
   private LabOrder read(

@@ -8,6 +8,7 @@ import com.microsoft.playwright.Download;
 import com.microsoft.playwright.Locator;
 import com.microsoft.playwright.Page;
 import com.microsoft.playwright.options.AriaRole;
+import java.net.http.HttpResponse;
 import java.nio.file.Files;
 import java.util.ArrayList;
 import java.util.List;
@@ -22,6 +23,7 @@ import org.toqa.lab.record.LabRun;
 import org.toqa.lab.record.LabRunState;
 import org.toqa.lab.record.Laboratory.Ordered;
 import org.toqa.lab.record.ReportJson;
+import org.toqa.web.TestClient;
 import org.toqa.web.WebTestServer;
 import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.json.JsonMapper;
@@ -125,6 +127,47 @@ class LaboratoryInBrowserTest extends PagesInBrowser {
         page,
         () ->
             server.laboratory().store().run(waits.id()).orElseThrow().state() == LabRunState.DONE);
+  }
+
+  @Test
+  void programsDoTheSameByTheApi() {
+    try (TestClient manager = TestClient.signedIn(server.root(), WebTestServer.MANAGER)) {
+      JsonNode experiments = json(manager.get("api/v1/laboratory/experiments"));
+      assertEquals(Experiments.all().size(), experiments.size());
+      JsonNode refused =
+          json(
+              manager.postJson(
+                  "api/v1/laboratory/runs",
+                  "{\"experiment\":\"csm-static\",\"runs\":0,\"parameters\":{\"lag\":9,\"leg\":1}}"));
+      assertEquals(
+          List.of("runs", "parameters.lag", "parameters.leg"),
+          refused.path("errors").valueStream().map(e -> e.path("field").stringValue()).toList());
+
+      JsonNode started =
+          json(
+              manager.postJson(
+                  "api/v1/laboratory/runs",
+                  "{\"experiment\":\"four-agents\",\"seed\":2,\"parameters\":{\"noise\":0}}"));
+      String run = "api/v1/laboratory/runs/" + started.path("id").intValue();
+      assertEquals("QUEUED", started.path("state").stringValue());
+      assertEquals(404, manager.get(run + "/report").statusCode());
+      assertEquals(409, manager.sendJson("DELETE", run, "").statusCode());
+      await(
+          page(), () -> json(manager.get(run)).path("state").stringValue().equals("DONE"));
+      assertEquals(2, json(manager.get(run + "/report")).path("seed").intValue());
+      JsonNode scene = json(manager.get(run + "/scenes/cluttered-both"));
+      assertTrue(scene.path("bodies").size() > 1, scene::toString);
+      assertEquals(404, manager.get(run + "/scenes/navigation-surface").statusCode());
+      assertTrue(manager.get(run + "/drawings/cluttered-both").body().contains("<svg"));
+      assertTrue(manager.get(run + "/tables/scenes").body().startsWith("scene,arrived,"));
+      assertEquals(409, manager.sendJson("POST", run + "/stop", "").statusCode());
+      assertEquals(204, manager.sendJson("DELETE", run, "").statusCode());
+      assertEquals(404, manager.get(run).statusCode());
+    }
+  }
+
+  private static JsonNode json(HttpResponse<String> answer) {
+    return JsonMapper.shared().readTree(answer.body());
   }
 
   @Test
