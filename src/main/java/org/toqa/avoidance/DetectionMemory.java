@@ -3,6 +3,7 @@ package org.toqa.avoidance;
 import java.util.ArrayList;
 import java.util.Collection;
 import java.util.List;
+import java.util.function.Predicate;
 import org.toqa.geometry.Vec2;
 
 /**
@@ -20,17 +21,25 @@ public final class DetectionMemory {
   /** Metres; points so near to each other are one. */
   private static final double SAME = 0.03;
 
+  private final double same;
   private final List<Detection> detections = new ArrayList<>();
+
+  public DetectionMemory() {
+    this(SAME);
+  }
+
+  /**
+   * @param same metres; points so near to each other are one, which is where it was first seen
+   */
+  public DetectionMemory(double same) {
+    this.same = same;
+  }
 
   /**
    * @param point metres, map frame
    * @param seconds when it was seen last, on a monotonic clock
    */
-  private record Detection(Vec2 point, double seconds) {
-    boolean isSame(Vec2 other) {
-      return point.distanceTo(other) < SAME;
-    }
-  }
+  private record Detection(Vec2 point, double seconds) {}
 
   /**
    * Notes what is seen.
@@ -40,12 +49,16 @@ public final class DetectionMemory {
    */
   public void remember(Collection<Vec2> points, double seconds) {
     for (Vec2 point : points) {
-      boolean isKnown = detections.stream().anyMatch(old -> old.isSame(point));
-      detections.replaceAll(old -> old.isSame(point) ? new Detection(old.point, seconds) : old);
+      boolean isKnown = detections.stream().anyMatch(old -> isSame(old, point));
+      detections.replaceAll(old -> isSame(old, point) ? new Detection(old.point, seconds) : old);
       if (!isKnown) {
         detections.add(new Detection(point, seconds));
       }
     }
+  }
+
+  private boolean isSame(Detection old, Vec2 point) {
+    return old.point.distanceTo(point) < same;
   }
 
   /**
@@ -55,6 +68,15 @@ public final class DetectionMemory {
    */
   public void forgetOld(double seconds) {
     detections.removeIf(old -> seconds - old.seconds > MEMORY_SECONDS);
+  }
+
+  /**
+   * Drops what is not where it was seen.
+   *
+   * @param isGone of points, metres, map frame
+   */
+  public void forget(Predicate<Vec2> isGone) {
+    detections.removeIf(old -> isGone.test(old.point));
   }
 
   /** Whether nothing was seen of late. */

@@ -23,6 +23,11 @@ public record RangeSensors(double radius) {
   /** Metres; the reading of a sensor that sees nothing. */
   public static final double FARTHEST = 0.80;
 
+  /** Metres that a beam goes on behind a point, and passes beside it, where it looks through it. */
+  private static final double BEHIND = 0.05;
+
+  private static final double BESIDE = 0.01;
+
   private static final double ASIDE = Math.toRadians(20);
 
   /** Radians from the robot's heading, from right to left. */
@@ -33,6 +38,23 @@ public record RangeSensors(double radius) {
    */
   public List<Pose> beams() {
     return DIRECTIONS.stream().map(direction -> new Pose(radius, 0, direction)).toList();
+  }
+
+  /**
+   * Whether a sensor looks through a point, to something behind it: nothing is there any more.
+   *
+   * @param ranges metres, from right to left
+   * @param robot where it is; the point is in the same frame
+   */
+  public boolean areThrough(List<Double> ranges, Pose robot, Vec2 point) {
+    for (int i = 0; i < Math.min(ranges.size(), DIRECTIONS.size()); i++) {
+      Pose beam = robot.compose(new Pose(radius, 0, DIRECTIONS.get(i)));
+      Vec2 seen = point.minus(beam.position()).rotated(-beam.theta());
+      if (seen.x() > NEAREST && seen.x() < ranges.get(i) - BEHIND && Math.abs(seen.y()) < BESIDE) {
+        return true;
+      }
+    }
+    return false;
   }
 
   /**

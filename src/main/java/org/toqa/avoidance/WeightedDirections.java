@@ -23,17 +23,31 @@ public final class WeightedDirections {
    * @return a vector of length 1 at most, in the same frame; zero where nothing prevails
    */
   public static Vec2 direction(Vec2 next, List<Vec2> seen) {
+    return direction(next, seen, 0, REACH);
+  }
+
+  /**
+   * The same where things push within a reach of their own.
+   *
+   * @param nearest metres from the robot's middle; what is so near pushes with all its weight
+   * @param reach metres from the robot's middle, more than that; what is farther does not push
+   */
+  public static Vec2 direction(Vec2 next, List<Vec2> seen, double nearest, double reach) {
     // D = (d_np + sum w_i d_i) / number of directions
     Vec2 sum = unit(next);
     for (Vec2 thing : seen) {
-      sum = sum.plus(unit(thing).times(-weight(thing.norm())));
+      sum = sum.plus(unit(thing).times(-weight(thing.norm(), nearest, reach)));
     }
     return sum.times(1.0 / (1 + seen.size()));
   }
 
   /** How hard a thing pushes, 1 where it touches to 0 out of reach. */
   static double weight(double metres) {
-    return Math.clamp(1 - metres / REACH, 0, 1);
+    return weight(metres, 0, REACH);
+  }
+
+  private static double weight(double metres, double nearest, double reach) {
+    return Math.clamp((reach - metres) / (reach - nearest), 0, 1);
   }
 
   private static Vec2 unit(Vec2 vector) {

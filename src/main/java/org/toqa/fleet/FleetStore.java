@@ -11,6 +11,7 @@ import org.toqa.geometry.Pose;
 import org.toqa.mission.Mission;
 import org.toqa.mission.Phase;
 import org.toqa.mission.TransportTask;
+import org.toqa.motion.PassingRoom;
 import org.toqa.motion.Segment;
 import org.toqa.motion.Trajectory;
 import org.toqa.persistence.StoreException;
@@ -166,6 +167,15 @@ public interface FleetStore {
    * @throws StoreException it is refused where that drive is not stored
    */
   void saveDriveEnd(String robot, long seq, int from, List<Segment> segments);
+
+  /**
+   * Remembers the room beside the robot's last drive, until another drive is saved; that of a drive
+   * before that does not count.
+   *
+   * @param seq of the drive
+   * @param room null: there is none
+   */
+  void saveRoom(String robot, long seq, @Nullable PassingRoom room);
 
   /**
    * Makes one transaction of all that the work asks of this store on the thread that calls it. What

@@ -1,7 +1,9 @@
 package org.toqa.fleet;
 
 import java.util.List;
+import org.jspecify.annotations.Nullable;
 import org.toqa.geometry.Pose;
+import org.toqa.motion.PassingRoom;
 import org.toqa.motion.Trajectory;
 
 /**
@@ -9,8 +11,14 @@ import org.toqa.motion.Trajectory;
  *
  * @param diameter of the disc that it fills, metres
  * @param sinceDriven it may be anywhere on that; without segments: it stands where that begins
+ * @param room that it was lent beside that; null: none
  */
-public record LastPlace(double diameter, Trajectory sinceDriven) {
+public record LastPlace(double diameter, Trajectory sinceDriven, @Nullable PassingRoom room) {
+
+  /** It drives that, and has no room beside it. */
+  public LastPlace(double diameter, Trajectory sinceDriven) {
+    this(diameter, sinceDriven, null);
+  }
 
   public static LastPlace standing(Pose pose, double diameter) {
     return new LastPlace(diameter, new Trajectory(pose, List.of()));

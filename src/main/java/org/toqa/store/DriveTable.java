@@ -8,7 +8,9 @@ import java.util.Optional;
 import java.util.stream.Collectors;
 import org.jdbi.v3.core.Handle;
 import org.jdbi.v3.core.statement.PreparedBatch;
+import org.jspecify.annotations.Nullable;
 import org.toqa.fleet.FleetStore.StoredDrive;
+import org.toqa.motion.PassingRoom;
 import org.toqa.motion.Segment;
 import org.toqa.motion.Trajectory;
 import org.toqa.persistence.StoreException;
@@ -84,7 +86,8 @@ final class DriveTable {
             insert into drives (robot_id, seq, task_id, phase, way, created_at)
             values (:id, :seq, :task, :phase, :way, :at)
             on duplicate key update seq = values(seq), task_id = values(task_id), phase = values(phase),
-              way = values(way), created_at = values(created_at)
+              way = values(way), created_at = values(created_at),
+              room_from = null, room_to = null, room_left = null, room_right = null
             """)
         .bind("id", id)
         .bind("seq", drive.seq())
@@ -119,6 +122,22 @@ final class DriveTable {
           StoreException.Kind.REFUSED, "Drive " + seq + " of " + robot + " is not stored.", null);
     }
     return last == seq ? replaceEnd(h, id, from, segments) : 0;
+  }
+
+  /** Nothing, where another drive is stored. */
+  static int saveRoom(Handle h, String robot, long seq, @Nullable PassingRoom room) {
+    return h.createUpdate(
+            """
+            update drives set room_from = :from, room_to = :to, room_left = :left, room_right = :right
+            where robot_id = :id and seq = :seq
+            """)
+        .bind("id", RobotTable.id(h, robot))
+        .bind("seq", seq)
+        .bind("from", room == null ? null : room.from())
+        .bind("to", room == null ? null : room.to())
+        .bind("left", room == null ? null : room.left())
+        .bind("right", room == null ? null : room.right())
+        .execute();
   }
 
   private static int replaceEnd(Handle h, long id, int from, List<Segment> segments) {

@@ -24,6 +24,7 @@ import org.toqa.fleet.TaskArchive;
 import org.toqa.fleet.TaskView;
 import org.toqa.geometry.Pose;
 import org.toqa.mission.TransportTask;
+import org.toqa.motion.PassingRoom;
 import org.toqa.motion.Segment;
 
 /** The fleet's store on H2 and on MySQL: robots, tasks, who executes what, drives and events. */
@@ -129,6 +130,11 @@ public final class JdbiFleetStore implements FleetStore, TaskArchive {
   @Override
   public void saveDriveEnd(String robot, long seq, int from, List<Segment> segments) {
     sql.inTransaction(h -> DriveTable.saveEnd(h, robot, seq, from, segments));
+  }
+
+  @Override
+  public void saveRoom(String robot, long seq, @Nullable PassingRoom room) {
+    sql.inTransaction(h -> DriveTable.saveRoom(h, robot, seq, room));
   }
 
   @Override

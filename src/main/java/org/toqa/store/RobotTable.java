@@ -19,6 +19,7 @@ import org.toqa.fleet.StoredRobot;
 import org.toqa.geometry.Pose;
 import org.toqa.link.http.RobotToken;
 import org.toqa.link.trust.Fingerprint;
+import org.toqa.motion.PassingRoom;
 import org.toqa.motion.Trajectory;
 import org.toqa.persistence.StoreException;
 
@@ -33,7 +34,8 @@ final class RobotTable {
             select id, name, floor, host, port, max_load, parking, simulated, fingerprint, gateway, token,
               out_of_service, held, worked_s, charger, charger_since, told_load,
               p.x, p.y, p.theta, p.diameter,
-              case when p.robot_id is null or d.seq > p.drive then d.way end as begun
+              case when p.robot_id is null or d.seq > p.drive then d.way end as begun,
+              d.room_from, d.room_to, d.room_left, d.room_right
             from robots r left join places p on p.robot_id = r.id
               left join drives d on d.robot_id = r.id
             where not removed order by id
@@ -122,6 +124,7 @@ final class RobotTable {
    * @param toldLoad kilograms; null: it was never connected
    * @param x null: nobody knows, or a person said that it is not there any more
    * @param begun the way of the drive that it has begun since; null: it has not
+   * @param roomFrom as the next three: room beside that way; null: it has none
    */
   record StoredRobotRow(
       long id,
@@ -136,7 +139,11 @@ final class RobotTable {
       @Nullable Double y,
       @Nullable Double theta,
       @Nullable Double diameter,
-      @Nullable Trajectory begun) {
+      @Nullable Trajectory begun,
+      @Nullable Integer roomFrom,
+      @Nullable Integer roomTo,
+      @Nullable Double roomLeft,
+      @Nullable Double roomRight) {
     StoredRobot toStoredRobot(List<DriveTable.End> ends) {
       Turn turn = charger == null || chargerSince == null ? null : new Turn(charger, chargerSince);
       Duration worked = Duration.ofMillis(Math.round(1000 * workedS));
@@ -149,10 +156,16 @@ final class RobotTable {
           place(ends));
     }
 
+    private @Nullable PassingRoom room() {
+      return roomFrom == null || roomTo == null || roomLeft == null || roomRight == null
+          ? null
+          : new PassingRoom(roomFrom, roomTo, roomLeft, roomRight);
+    }
+
     private @Nullable LastPlace place(List<DriveTable.End> ends) {
       double width = diameter == null ? RobotCapabilities.UNKNOWN.footprint() : diameter;
       if (begun != null) {
-        return new LastPlace(width, DriveTable.End.apply(ends, begun));
+        return new LastPlace(width, DriveTable.End.apply(ends, begun), room());
       }
       return x == null || y == null || theta == null
           ? null

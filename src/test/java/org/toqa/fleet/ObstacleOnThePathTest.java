@@ -1,6 +1,7 @@
 package org.toqa.fleet;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.nio.file.Path;
@@ -8,6 +9,7 @@ import java.time.Duration;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
+import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.concurrent.atomic.AtomicReference;
 import java.util.concurrent.atomic.DoubleAccumulator;
@@ -17,6 +19,8 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.toqa.geometry.Vec2;
 import org.toqa.grid.CellRuns;
 import org.toqa.grid.FloorMap;
@@ -92,6 +96,28 @@ class ObstacleOnThePathTest {
     assertTrue(nearest.get() > 0.02, "came as near as " + nearest);
     live.world.removeObstacle("box");
     live.await(view -> obstacles(view).equals(CellRuns.NONE));
+  }
+
+  @ParameterizedTest
+  @CsvSource({"0", "0.1", "-0.16"})
+  void theRobotPassesSomethingSmallWithoutAStop(double aside) throws Exception {
+    open(HALL, cell(2, 2));
+    Vec2 thing = new Vec2(cell(12, 4).x(), cell(12, 4).y() + aside);
+    put(thing, 0.05);
+    AtomicBoolean hasStopped = new AtomicBoolean();
+    AtomicBoolean hasPassed = new AtomicBoolean();
+
+    long task = live.submit(2, "A", "B");
+
+    live.await(
+        view -> {
+          hasStopped.compareAndSet(false, isStopped(view, "r1"));
+          hasPassed.compareAndSet(false, nearest.get() < 0.15);
+          return LiveFloor.isInState(view, task, TaskState.DONE);
+        });
+    assertTrue(nearest.get() >= 0.01, "came as near as " + nearest);
+    assertTrue(hasPassed.get(), "came no nearer than " + nearest);
+    assertFalse(hasStopped.get(), "it stopped");
   }
 
   @Test

@@ -4,7 +4,9 @@ import java.util.List;
 import org.jspecify.annotations.Nullable;
 import org.toqa.geometry.Vec2;
 import org.toqa.link.message.AgentMessage.Fault;
+import org.toqa.link.message.AgentMessage.RoomUse;
 import org.toqa.motion.DriveKind;
+import org.toqa.motion.PassingRoom;
 import org.toqa.motion.Segment;
 
 /** What a test lets be so with a scripted robot, until it lets it be otherwise. */
@@ -40,6 +42,15 @@ final class ScriptedCondition {
 
   /** Whether it does not hear that the formation which it follows has ended. */
   boolean missesEnd;
+
+  /** Whether it needs room beside its path, or has it. */
+  RoomUse roomUse = RoomUse.NONE;
+
+  /** Null: it has none. */
+  @Nullable PassingRoom room;
+
+  boolean refusesRoom;
+  boolean hasRefusedRoom;
 
   int lostClears;
   @Nullable Fault fault;

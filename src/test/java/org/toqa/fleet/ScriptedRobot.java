@@ -15,6 +15,7 @@ import org.toqa.link.message.AgentMessage.Fault;
 import org.toqa.link.message.AgentMessage.Hello;
 import org.toqa.link.message.AgentMessage.Mode;
 import org.toqa.link.message.AgentMessage.Reject;
+import org.toqa.link.message.AgentMessage.RoomUse;
 import org.toqa.link.message.AgentMessage.Speed;
 import org.toqa.link.message.AgentMessage.State;
 import org.toqa.link.message.ServerMessage;
@@ -30,7 +31,9 @@ import org.toqa.link.message.ServerMessage.Lead;
 import org.toqa.link.message.ServerMessage.Ping;
 import org.toqa.link.message.ServerMessage.Release;
 import org.toqa.link.message.ServerMessage.Resume;
+import org.toqa.link.message.ServerMessage.Room;
 import org.toqa.motion.DriveKind;
+import org.toqa.motion.PassingRoom;
 import org.toqa.motion.Segment;
 import org.toqa.wording.Sentence;
 
@@ -75,6 +78,27 @@ public final class ScriptedRobot {
   /**
    * @param share of 0 to 1
    */
+  /** It sees that on its path, and could pass it with room beside that. */
+  synchronized void wantRoom(Vec2... seen) {
+    setObstacles(seen);
+    condition.roomUse = RoomUse.WANTED;
+  }
+
+  /** It is past that, or never took any room. */
+  synchronized void returnRoom() {
+    setObstacles();
+    condition.roomUse = RoomUse.NONE;
+    condition.room = null;
+  }
+
+  synchronized boolean hasRefusedRoom() {
+    return condition.hasRefusedRoom;
+  }
+
+  synchronized void refuseRoom() {
+    condition.refusesRoom = true;
+  }
+
   synchronized void setBattery(double share) {
     condition.battery = share;
   }
@@ -313,6 +337,11 @@ public final class ScriptedRobot {
         say(new Reject(command.seq(), "What stops the robot has changed."));
         return;
       }
+      if (command instanceof Room && condition.refusesRoom) {
+        condition.hasRefusedRoom = true;
+        say(new Reject(command.seq(), "There is no drive any more."));
+        return;
+      }
       if (isTooFast(command)) {
         say(new Reject(command.seq(), "The robot cannot drive so fast."));
         return;
@@ -355,6 +384,10 @@ public final class ScriptedRobot {
       }
       case Extend e -> drive.extend(e);
       case Release r -> drive.release(r);
+      case Room r -> {
+        condition.room = new PassingRoom(r.from(), r.to(), r.left(), r.right());
+        condition.roomUse = RoomUse.HELD;
+      }
       case Cancel c -> {
         if (Objects.equals(c.task(), drive.task())) {
           drive.cancel();
@@ -405,7 +438,11 @@ public final class ScriptedRobot {
         drive.segment(),
         drive.released(),
         lastSeq,
-        null);
+        null,
+        null,
+        null,
+        null,
+        condition.room);
   }
 
   private State state() {
@@ -426,6 +463,8 @@ public final class ScriptedRobot {
         condition.obstacles,
         null,
         null,
+        null,
+        condition.roomUse,
         condition.faults(formation.stopReason()));
   }
 }

@@ -32,6 +32,7 @@ import org.toqa.fleet.StoredRobot;
 import org.toqa.geometry.Pose;
 import org.toqa.link.trust.Fingerprint;
 import org.toqa.mission.Phase;
+import org.toqa.motion.PassingRoom;
 import org.toqa.motion.Segment;
 import org.toqa.motion.Trajectory;
 import org.toqa.persistence.StoreException;
@@ -138,6 +139,16 @@ class RobotStoreTest extends FleetDatabaseTest {
     Segment turn = new Segment(0, 0.5, 1);
     store.saveDriveEnd("r1", 7, 1, List.of(turn));
     Trajectory longer = new Trajectory(pose, List.of(way.segments().getFirst(), turn));
+    assertEquals(new LastPlace(0.3, longer), place());
+
+    PassingRoom room = new PassingRoom(0, 2, 0.3, 0);
+    store.saveRoom("r1", 7, room);
+    store.saveRoom("r1", 6, null); // of a drive before
+    assertEquals(new LastPlace(0.3, longer, room), place());
+    store.saveRoom("r1", 7, null);
+    assertEquals(new LastPlace(0.3, longer), place());
+    store.saveRoom("r1", 7, room);
+    store.saveDrive("r1", new StoredDrive(7, null, Phase.NONE, longer));
     assertEquals(new LastPlace(0.3, longer), place());
 
     store.savePlace("r1", way.end(), 0.3, 7);

@@ -107,6 +107,7 @@ final class StateReporter {
         || state.segment() != before.segment()
         || state.released() != before.released()
         || state.phase() != before.phase()
+        || state.room() != before.room()
         || !Objects.equals(state.task(), before.task())
         || hasChanged(state.arm(), before.arm())
         || !haveSameCodes(state.errors(), before.errors());

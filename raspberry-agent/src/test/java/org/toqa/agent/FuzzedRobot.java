@@ -54,6 +54,7 @@ import org.toqa.link.message.ServerMessage.Ping;
 import org.toqa.link.message.ServerMessage.Release;
 import org.toqa.link.message.ServerMessage.Resume;
 import org.toqa.motion.DriveKind;
+import org.toqa.link.message.ServerMessage.Room;
 import org.toqa.motion.Segment;
 import org.toqa.testbed.LineFuzzer;
 
@@ -269,6 +270,7 @@ final class FuzzedRobot implements AutoCloseable {
         canMove |= extend.released() > 0;
       }
       case Release release -> canMove |= release.released() > 0;
+      case Room room -> assertTrue(room.left() <= 1 && room.right() <= 1, () -> about(line));
       case Follow follow -> {
         count.driven++;
         assertTrue(follow.tolerance() > 0 && follow.tolerance() <= 0.5, () -> about(line));

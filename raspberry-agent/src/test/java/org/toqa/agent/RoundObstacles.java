@@ -15,6 +15,8 @@ final class RoundObstacles implements Surroundings {
 
   private final List<Obstacle> obstacles = new ArrayList<>();
   private boolean isMiddleBlind;
+  private Vec2 walking = Vec2.ZERO;
+  private Vec2 walkingFrom = Vec2.ZERO;
   private Pose truth = Rig.START;
   private double nearest = Double.POSITIVE_INFINITY;
 
@@ -39,6 +41,18 @@ final class RoundObstacles implements Surroundings {
     obstacles.add(new Obstacle(middle, radius, velocity));
   }
 
+  /**
+   * It moves as the robot does, so that it is there when the robot comes.
+   *
+   * @param middle where it is while the robot is at its start
+   * @param pace metres for each metre that the robot is east of that
+   */
+  void putWalking(Vec2 middle, double radius, Vec2 pace) {
+    walking = pace;
+    walkingFrom = middle;
+    put(middle, radius);
+  }
+
   void clear() {
     obstacles.clear();
   }
@@ -56,6 +70,11 @@ final class RoundObstacles implements Surroundings {
   public void setTruePose(Pose now) {
     truth = now;
     obstacles.replaceAll(Obstacle::afterStep);
+    if (!walking.equals(Vec2.ZERO)) {
+      Vec2 walked = walking.times(now.x() - Rig.START.x());
+      obstacles.replaceAll(
+          thing -> new Obstacle(walkingFrom.plus(walked), thing.radius(), Vec2.ZERO));
+    }
     obstacles.forEach(thing -> nearest = Math.min(nearest, thing.gap(now.position()) - ROBOT));
   }
 

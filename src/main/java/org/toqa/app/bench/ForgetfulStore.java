@@ -15,6 +15,7 @@ import org.toqa.fleet.RobotRecord;
 import org.toqa.fleet.StoredRobot;
 import org.toqa.geometry.Pose;
 import org.toqa.mission.TransportTask;
+import org.toqa.motion.PassingRoom;
 import org.toqa.motion.Segment;
 
 /** Accepts everything and keeps nothing: for fleets that nobody starts anew. */
@@ -123,6 +124,9 @@ final class ForgetfulStore implements FleetStore {
 
   @Override
   public void saveDrive(String robot, StoredDrive drive) {}
+
+  @Override
+  public void saveRoom(String robot, long seq, @Nullable PassingRoom room) {}
 
   @Override
   public void saveDriveEnd(String robot, long seq, int from, List<Segment> segments) {}

@@ -368,6 +368,7 @@ final class DriveDispatcher {
                   extend.from(), extend.segments(), extend.released(), extend.endsAtGoal()));
       case DriveCommand.Release release ->
           robot.agent.tell(new RobotMessage.Release(release.released()));
+      case DriveCommand.Room lent -> robot.agent.tell(new RobotMessage.LendRoom(lent.room()));
     }
   }
 }

@@ -61,6 +61,9 @@ final class FloorRobot {
   /** That it follows, or would, though its leader has ended. */
   final ConditionTimer leftBehind = new ConditionTimer();
 
+  /** Room beside its path. */
+  final RoomState room = new RoomState();
+
   /** What a person cleared. */
   final ClearedStops cleared = new ClearedStops();
 

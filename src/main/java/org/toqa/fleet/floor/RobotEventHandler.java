@@ -39,6 +39,7 @@ final class RobotEventHandler {
   private final FloorMissions missions;
   private final HoldDispatcher holds;
   private final FloorWatch watch;
+  private final RoomDispatcher rooms;
 
   RobotEventHandler(
       FloorState state, FloorMissions missions, HoldDispatcher holding, FloorWatch watch) {
@@ -46,6 +47,7 @@ final class RobotEventHandler {
     this.missions = missions;
     this.holds = holding;
     this.watch = watch;
+    this.rooms = new RoomDispatcher(state);
   }
 
   void handle(RobotEvent event) {
@@ -73,6 +75,8 @@ final class RobotEventHandler {
       case RobotEvent.DriveBegun m -> driveBegun(robot, m.drive());
       case RobotEvent.DriveWithdrawn m -> driveWithdrawn(robot, m.drive());
       case RobotEvent.DriveAccepted m -> driveAccepted(robot, m.drive());
+      case RobotEvent.RoomTaken _ -> rooms.taken(robot);
+      case RobotEvent.RoomRefused _ -> rooms.refused(robot);
       case RobotEvent.CommandRejected m -> commandRejected(robot, m);
       case RobotEvent.ClearRejected m -> {
         robot.cleared.settle();
@@ -126,6 +130,9 @@ final class RobotEventHandler {
           0,
           segments,
           state.now);
+      if (place.room() != null) {
+        state.traffic.adoptRoom(robot.name(), place.room());
+      }
     }
     state.traffic.setMovable(robot.name(), false);
   }
@@ -165,6 +172,7 @@ final class RobotEventHandler {
       state.formations.updateTraffic();
       if (drive.isPresent() && hello.role() != Role.FOLLOWER) {
         resumeDriveInTraffic(robot, drive.get(), hello.pose(), hello.segment(), hello.released());
+        rooms.connected(robot, hello);
       }
     }
     if (hello.drive() == 0) {
@@ -193,6 +201,7 @@ final class RobotEventHandler {
     } else if (robot.drive.settle(said.drive())) {
       if (state.traffic.hasRobot(robot.name())) {
         state.traffic.reportProgress(robot.name(), said.pose(), said.segment(), state.now);
+        rooms.stateReported(robot, said);
       } else {
         resumeDriveInTraffic(
             robot,

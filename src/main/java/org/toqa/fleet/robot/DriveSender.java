@@ -12,6 +12,7 @@ import org.toqa.fleet.FleetStore.StoredDrive;
 import org.toqa.fleet.StoreWriter;
 import org.toqa.link.message.ServerMessage;
 import org.toqa.mission.Phase;
+import org.toqa.motion.PassingRoom;
 import org.toqa.motion.Segment;
 import org.toqa.motion.Trajectory;
 
@@ -28,6 +29,9 @@ final class DriveSender {
   private final ActorRef<RobotMessage> self;
   private Optional<StoredDrive> drive = Optional.empty();
   private boolean isLoaded;
+
+  /** Of the command by which the robot was lent room last; 0: it never was. */
+  private long roomNumber;
 
   /** Asks the store for the last drive; {@link #setLoaded} brings it. */
   DriveSender(
@@ -119,6 +123,35 @@ final class DriveSender {
     drive.ifPresent(
         old ->
             commands.sendInOrder(old.seq(), (n, d) -> new ServerMessage.Release(n, d, released)));
+  }
+
+  /** It is stored before it is sent: who starts after a crash keeps it free. */
+  void lendRoom(PassingRoom room) {
+    if (drive.isEmpty()) {
+      return;
+    }
+    StoredDrive on = drive.get();
+    storeThenSend(
+        on,
+        () -> store.saveRoom(robot, on.seq(), room),
+        on.seq(),
+        commands.addChange(
+            on.seq(),
+            (n, d) -> {
+              roomNumber = n;
+              return new ServerMessage.Room(
+                  n, d, room.from(), room.to(), room.left(), room.right());
+            }));
+  }
+
+  /** The robot has no room any more. */
+  void roomReturned() {
+    drive.ifPresent(on -> writer.write(() -> store.saveRoom(robot, on.seq(), null), () -> {}));
+  }
+
+  /** Whether that is the number of the command by which the robot was lent room last. */
+  boolean isRoom(long number) {
+    return roomNumber == number;
   }
 
   private void begin(StoredDrive next, long id) {

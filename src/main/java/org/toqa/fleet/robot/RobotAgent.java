@@ -129,6 +129,8 @@ public final class RobotAgent extends AbstractBehavior<RobotMessage> {
       case RobotMessage.Follow m -> drives.follow(m);
       case RobotMessage.Extend m -> drives.extend(m);
       case RobotMessage.Release m -> drives.release(m.released());
+      case RobotMessage.LendRoom m -> drives.lendRoom(m.room());
+      case RobotMessage.RoomReturned _ -> drives.roomReturned();
       case RobotMessage.CommandStored m -> drives.commandStored(m.id());
       case RobotMessage.CommandNotStored m -> drives.commandNotStored(m);
       case RobotMessage.Cancel m -> drives.cancel(m);
@@ -274,6 +276,8 @@ public final class RobotAgent extends AbstractBehavior<RobotMessage> {
     log.info("{}: refused command {}: {}", robot.name(), reject.seq(), reject.reason());
     if (clears.settle(reject.seq())) {
       rejectClear(Phrase.REFUSED_A_COMMAND.with(robot.name(), reject.reason()));
+    } else if (drives.isRoom(reject.seq())) {
+      floor.tell(new RobotEvent.RoomRefused(robot.name()));
     } else if (awaited.isPresent()) {
       reports.flush();
       OptionalLong changed = awaited.get();
@@ -289,6 +293,10 @@ public final class RobotAgent extends AbstractBehavior<RobotMessage> {
       return;
     }
     clears.settle(seq);
+    if (drives.isRoom(seq)) {
+      reports.flush();
+      floor.tell(new RobotEvent.RoomTaken(robot.name()));
+    }
     if (drives.drive().filter(drive -> drive.seq() == seq).isPresent()) {
       reports.flush();
       floor.tell(new RobotEvent.DriveAccepted(robot.name(), seq));

@@ -46,6 +46,15 @@ public sealed interface RobotEvent {
   /** The robot has taken this drive: what it says from now on, it says with it or after it. */
   record DriveAccepted(String robot, long drive) implements RobotEvent {}
 
+  /**
+   * The robot has taken the room that it was lent: what it says of it from now on, it says with it
+   * or after it.
+   */
+  record RoomTaken(String robot) implements RobotEvent {}
+
+  /** The robot has not taken the room that it was lent. */
+  record RoomRefused(String robot) implements RobotEvent {}
+
   /** What a person cleared is not cleared. */
   record ClearRejected(String robot, Sentence why) implements RobotEvent {}
 

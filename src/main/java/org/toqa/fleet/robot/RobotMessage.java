@@ -18,6 +18,7 @@ import org.toqa.link.message.AgentMessage.Hello;
 import org.toqa.link.message.ServerMessage.CarriedPart;
 import org.toqa.link.message.ServerMessage.Follower;
 import org.toqa.mission.Phase;
+import org.toqa.motion.PassingRoom;
 import org.toqa.motion.Segment;
 import org.toqa.motion.Trajectory;
 import org.toqa.wording.Sentence;
@@ -73,6 +74,12 @@ public sealed interface RobotMessage {
       implements RobotMessage {}
 
   record Release(int released) implements RobotMessage {}
+
+  /** There is room beside its path. */
+  record LendRoom(PassingRoom room) implements RobotMessage {}
+
+  /** The robot has given back what it was lent. */
+  record RoomReturned() implements RobotMessage {}
 
   record Cancel(@Nullable Long task) implements RobotMessage {}
 

@@ -14,6 +14,7 @@ import org.toqa.arm.JointAngles;
 import org.toqa.geometry.Pose;
 import org.toqa.geometry.Vec2;
 import org.toqa.motion.DriveKind;
+import org.toqa.motion.PassingRoom;
 
 /** What a robot says to the server, and a follower to its leader. */
 @JsonTypeInfo(use = JsonTypeInfo.Id.NAME, property = "type")
@@ -45,6 +46,13 @@ public sealed interface AgentMessage {
     FOLLOWER
   }
 
+  /** Whether a robot has room beside its path, or needs it to get on. */
+  enum RoomUse {
+    NONE,
+    WANTED,
+    HELD
+  }
+
   /**
    * The first line of a connection: with it a restarted server knows what the robot did meanwhile.
    *
@@ -66,6 +74,7 @@ public sealed interface AgentMessage {
    * @param arm null: it has none
    * @param act sequence number of what the arm does now; null: nothing
    * @param acted how the last act ended that is not acknowledged yet
+   * @param room that it was lent beside the path of its drive; null: none
    */
   record Hello(
       int version,
@@ -90,10 +99,11 @@ public sealed interface AgentMessage {
       @JsonSetter(nulls = Nulls.SET) @Nullable PhaseEnd done,
       @JsonSetter(nulls = Nulls.SET) @Nullable Arm arm,
       @JsonSetter(nulls = Nulls.SET) @Nullable Long act,
-      @JsonSetter(nulls = Nulls.SET) @Nullable ActEnd acted)
+      @JsonSetter(nulls = Nulls.SET) @Nullable ActEnd acted,
+      @JsonSetter(nulls = Nulls.SET) @Nullable PassingRoom room)
       implements AgentMessage {
 
-    /** That of a robot without an arm. */
+    /** That of a robot without an arm, and without room beside its path. */
     public Hello(
         int version,
         String robot,
@@ -136,6 +146,7 @@ public sealed interface AgentMessage {
           released,
           lastSeq,
           done,
+          null,
           null,
           null,
           null);
@@ -201,6 +212,7 @@ public sealed interface AgentMessage {
    * @param measuredLoad kilograms that it bears, as its body measures; null: it has nothing on
    *     board, or no scale
    * @param arm null: it has none
+   * @param room whether it has room beside its path, or needs it
    */
   record State(
       long stamp,
@@ -220,10 +232,11 @@ public sealed interface AgentMessage {
       @JsonSetter(nulls = Nulls.SET) @Nullable Double placeError,
       @JsonSetter(nulls = Nulls.SET) @Nullable Double measuredLoad,
       @JsonSetter(nulls = Nulls.SET) @Nullable ArmState arm,
+      RoomUse room,
       List<Fault> errors)
       implements AgentMessage {
 
-    /** That of a robot without an arm. */
+    /** That of a robot without an arm, which needs no room beside its path. */
     public State(
         long stamp,
         boolean localised,
@@ -260,6 +273,7 @@ public sealed interface AgentMessage {
           placeError,
           measuredLoad,
           null,
+          RoomUse.NONE,
           errors);
     }
 
@@ -283,6 +297,7 @@ public sealed interface AgentMessage {
           placeError,
           measuredLoad,
           arm,
+          room,
           errors);
     }
   }

@@ -233,11 +233,13 @@ public final class LinkCodec {
         addNullIfMissing(message, "act");
         addNullIfMissing(message, "acted");
         addIfMissing(message, "track", 0);
+        addNullIfMissing(message, "room");
       }
       case "state" -> {
         addNullIfMissing(message, "placeError");
         addNullIfMissing(message, "measuredLoad");
         addNullIfMissing(message, "arm");
+        addRoomUseIfMissing(message);
         message.path("errors").valueStream().forEach(error -> addIfMissing(error, "clearable"));
       }
       default -> {}
@@ -254,6 +256,13 @@ public final class LinkCodec {
   private static void addKindIfMissing(JsonNode hello) {
     if (hello instanceof ObjectNode object && !object.has("kind")) {
       object.put("kind", DriveKind.OMNI.word());
+    }
+  }
+
+  /** A daemon that does not tell it asks for no room. */
+  private static void addRoomUseIfMissing(JsonNode state) {
+    if (state instanceof ObjectNode object && !object.has("room")) {
+      object.put("room", AgentMessage.RoomUse.NONE.name());
     }
   }
 

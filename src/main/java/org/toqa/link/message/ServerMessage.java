@@ -24,6 +24,7 @@ import org.toqa.motion.Segment;
   @Type(value = ServerMessage.Drive.class, name = "drive"),
   @Type(value = ServerMessage.Extend.class, name = "extend"),
   @Type(value = ServerMessage.Release.class, name = "release"),
+  @Type(value = ServerMessage.Room.class, name = "room"),
   @Type(value = ServerMessage.Lead.class, name = "lead"),
   @Type(value = ServerMessage.Follow.class, name = "follow"),
   @Type(value = ServerMessage.Act.class, name = "act"),
@@ -93,6 +94,19 @@ public sealed interface ServerMessage {
    * @param released how many of the drive's segments may be driven, from its first; only grows
    */
   record Release(long seq, long drive, int released) implements Command {}
+
+  /**
+   * Room beside the path is the robot's own, to drive round what it sees there, until it says that
+   * it has given it back; instead of room that it was lent before.
+   *
+   * @param drive the sequence number of the drive
+   * @param from the first segment beside which it is, counted from the drive's first
+   * @param to the first one beside which it is not any more; it is released
+   * @param left metres that the robot's middle may be to the left of its path
+   * @param right metres that it may be to the right
+   */
+  record Room(long seq, long drive, int from, int to, double left, double right)
+      implements Command {}
 
   /**
    * Lead these robots with the drive that comes next.

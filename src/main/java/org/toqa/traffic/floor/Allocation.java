@@ -13,6 +13,7 @@ final class Allocation {
   static List<SweptArea> areas(TrafficRobot robot) {
     List<SweptArea> areas = new ArrayList<>(robot.drive.allocatedBehindOpen());
     robot.drive.openSection().ifPresent(open -> areas.addAll(areasAhead(robot, open)));
+    areas.addAll(robot.drive.roomAreas());
     if (areas.stream().noneMatch(robot::isWithin)) {
       areas.add(placeArea(robot));
     }
@@ -22,7 +23,8 @@ final class Allocation {
   /** What it has still to cover of the section that it is on: what is behind it is nobody's. */
   private static List<SweptArea> areasAhead(TrafficRobot robot, Drive.OpenSection open) {
     Segment first = open.segments().getFirst();
-    double done = robot.isFormation() ? 0 : first.shareDone(open.start(), robot.pose());
+    boolean isBesidePath = robot.isFormation() || robot.drive.lentRoom() != null;
+    double done = isBesidePath ? 0 : first.shareDone(open.start(), robot.pose());
     Pose at = open.start().advanced(first.twist(), done * first.t());
     List<SweptArea> areas = new ArrayList<>();
     areas.add(done == 1 ? robot.areaAt(at) : robot.sweptArea(at, first.after(done)));

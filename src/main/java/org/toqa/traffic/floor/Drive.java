@@ -45,6 +45,12 @@ final class Drive {
   /** How often what it may drive, or has still to drive of that, became another. */
   private long changes;
 
+  /** What it was lent beside its path; null: nothing. */
+  private @Nullable LentRoom lentRoom;
+
+  /** Whether the robot does not know yet what it was lent. */
+  private boolean isRoomUnsent;
+
   /** Where its last path ended, which it came to but for what a robot is off its place. */
   private @Nullable Pose lastPathEnd;
 
@@ -64,6 +70,7 @@ final class Drive {
     copy.completedSegments = completedSegments;
     copy.released = released;
     copy.lastPathEnd = lastPathEnd;
+    copy.lentRoom = lentRoom;
     return copy;
   }
 
@@ -83,6 +90,42 @@ final class Drive {
   /** How many sections are completed. */
   int completed() {
     return completed;
+  }
+
+  /** How many segments of its path are completed. */
+  int completedSegments() {
+    return completedSegments;
+  }
+
+  /** What it was lent beside its path; null: nothing. */
+  @Nullable LentRoom lentRoom() {
+    return lentRoom;
+  }
+
+  /** It has room beside its path from now on, and is to be told. */
+  void lend(LentRoom room) {
+    lentRoom = room;
+    isRoomUnsent = true;
+    changes++;
+  }
+
+  /** It has that room already, as after a restart. */
+  void resumeRoom(LentRoom room) {
+    lentRoom = room;
+    isRoomUnsent = false;
+    changes++;
+  }
+
+  /** It has no room beside its path any more. */
+  void endRoom() {
+    changes += lentRoom == null ? 0 : 1;
+    lentRoom = null;
+    isRoomUnsent = false;
+  }
+
+  /** What it may cover beside its path. */
+  List<SweptArea> roomAreas() {
+    return lentRoom == null ? List.of() : lentRoom.areasFrom(completedSegments);
   }
 
   /** How many sections it may drive. */
@@ -330,6 +373,7 @@ final class Drive {
       lastPathEnd = path.poseAfter(released);
       changes++;
     }
+    endRoom();
     path = null;
     completed = 0;
     completedSegments = 0;
@@ -363,6 +407,15 @@ final class Drive {
     pathNumber++;
     isChangeUnsent = true;
     return true;
+  }
+
+  /** The room that it was lent, if it does not know of that; counts as told from now on. */
+  Optional<DriveCommand> takeUnsentRoom(String robot) {
+    if (lentRoom == null || !isRoomUnsent) {
+      return Optional.empty();
+    }
+    isRoomUnsent = false;
+    return Optional.of(new DriveCommand.Room(robot, lentRoom.room()));
   }
 
   /**

@@ -1,6 +1,7 @@
 package org.toqa.traffic.floor;
 
 import java.util.List;
+import org.toqa.motion.PassingRoom;
 import org.toqa.motion.Segment;
 import org.toqa.motion.Trajectory;
 
@@ -23,4 +24,7 @@ public sealed interface DriveCommand {
 
   /** So many segments may be driven now. */
   record Release(String robot, int released) implements DriveCommand {}
+
+  /** There is room beside its path, to drive round what it sees there. */
+  record Room(String robot, PassingRoom room) implements DriveCommand {}
 }

@@ -20,6 +20,7 @@ import org.toqa.grid.Margins;
 import org.toqa.grid.Moves;
 import org.toqa.grid.OccupancyGrid;
 import org.toqa.motion.DriveSpeeds;
+import org.toqa.motion.PassingRoom;
 import org.toqa.motion.Trajectory;
 import org.toqa.traffic.Deadline;
 import org.toqa.traffic.JointPlanner;
@@ -64,6 +65,7 @@ public final class FloorTraffic {
   private final SectionReleaser releaser;
   private final Claims claims;
   private final ManualSteps manualSteps;
+  private final RoomLender roomLender;
   private final StandstillDetector standstillDetector = new StandstillDetector();
   private final WaitChains waitChains = new WaitChains();
   private final ReplanTrigger trigger = new ReplanTrigger();
@@ -120,6 +122,7 @@ public final class FloorTraffic {
     this.claims = new Claims(robots.values());
     this.manualSteps = new ManualSteps(grid, margins, claims);
     this.releaser = new SectionReleaser(new SectionFitter(), robots, claims, trigger);
+    this.roomLender = new RoomLender(grid, claims, releaser);
     this.pathAssigner =
         new PathAssigner(
             robots,
@@ -248,6 +251,37 @@ public final class FloorTraffic {
             new Trajectory(trajectory.start(), trajectory.segments().subList(0, count)),
             completedSegments,
             now);
+  }
+
+  /**
+   * The robot sees something small on its path, and is lent room beside that to drive round it, if
+   * there is any.
+   *
+   * @param seen points, metres, map frame
+   * @return whether it has room now
+   */
+  public boolean lendRoom(String name, List<Vec2> seen, Instant now) {
+    claims.refresh();
+    return roomLender.lend(robot(name), seen, obstacles.of(name), now);
+  }
+
+  /** The robot was lent that before, beside the trajectory that it drives. */
+  public void adoptRoom(String name, PassingRoom room) {
+    TrafficRobot robot = robot(name);
+    ReservedPath path = robot.drive.path();
+    if (path != null) {
+      robot.drive.resumeRoom(RoomLender.lentBefore(robot, path, room));
+    }
+  }
+
+  /** Whether the robot was lent room that it has not given back. */
+  public boolean hasRoom(String name) {
+    return robot(name).drive.lentRoom() != null;
+  }
+
+  /** The robot is on its path again, and has given its room back. */
+  public void returnRoom(String name) {
+    robot(name).drive.endRoom();
   }
 
   /**
@@ -435,7 +469,7 @@ public final class FloorTraffic {
     }
     standstillDetector.update(robots.values(), now);
     waitChains.update(robots);
-    return robots.values().stream().flatMap(robot -> robot.takeUnsentCommand().stream()).toList();
+    return robots.values().stream().flatMap(robot -> robot.takeUnsentCommands().stream()).toList();
   }
 
   /** Whether the plan that is being made was asked for so long ago. */

@@ -72,6 +72,31 @@ final class SectionReleaser {
     }
   }
 
+  /**
+   * Releases all sections that are needed up to a segment, or none.
+   *
+   * @param segments of the path, counted from its first
+   */
+  boolean releaseUntil(TrafficRobot robot, int segments, Instant now) {
+    ReservedPath path = robot.drive.path();
+    if (path == null) {
+      return false;
+    }
+    int end = robot.drive.released();
+    while (path.segmentCount(end) < segments) {
+      if (!canEnter(robot, path, end)) {
+        return false;
+      }
+      end++;
+    }
+    while (robot.drive.released() < end) {
+      claims.add(robot, path.sections().get(robot.drive.released()).area());
+      robot.drive.releaseNext(now);
+      robot.waiting.unblock();
+    }
+    return true;
+  }
+
   private boolean canEnter(TrafficRobot robot, ReservedPath path, int index) {
     Section section = path.sections().get(index);
     Vec2 where = path.poseAfter(path.committed(index + 1)).position();

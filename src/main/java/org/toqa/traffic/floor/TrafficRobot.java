@@ -5,7 +5,6 @@ import java.util.ArrayList;
 import java.util.BitSet;
 import java.util.List;
 import java.util.Objects;
-import java.util.Optional;
 import org.jspecify.annotations.Nullable;
 import org.toqa.geometry.Angles;
 import org.toqa.geometry.Pose;
@@ -399,10 +398,15 @@ final class TrafficRobot {
   }
 
   /** What the robot does not know yet of its path, if anything; counts as told from now on. */
-  Optional<DriveCommand> takeUnsentCommand() {
+  List<DriveCommand> takeUnsentCommands() {
     ReservedPath path = drive.path();
-    return path == null || !movable
-        ? Optional.empty()
-        : drive.takeUnsentCommand(name, goal == null || isGoal(path.end()));
+    if (path == null || !movable) {
+      return List.of();
+    }
+    boolean endsAtGoal = goal == null || isGoal(path.end());
+    List<DriveCommand> commands = new ArrayList<>();
+    drive.takeUnsentCommand(name, endsAtGoal).ifPresent(commands::add);
+    drive.takeUnsentRoom(name).ifPresent(commands::add); // what is beside it is released before
+    return commands;
   }
 }

@@ -10,6 +10,7 @@ import org.jspecify.annotations.Nullable;
 import org.toqa.geometry.Pose;
 import org.toqa.geometry.Vec2;
 import org.toqa.grid.OccupancyGrid;
+import org.toqa.motion.PassingRoom;
 import org.toqa.motion.Segment;
 import org.toqa.motion.Trajectory;
 
@@ -34,6 +35,15 @@ final class DrivenBody {
   /** How far it really is from where it takes itself to be, metres. */
   Vec2 error = Vec2.ZERO;
 
+  /** Room beside its path; null: none. */
+  @Nullable PassingRoom room;
+
+  /** Whether it has taken room, and its traffic does not know yet that it is over. */
+  boolean isRoomTaken;
+
+  /** Metres that it is to the left of its path. */
+  double aside;
+
   /** Who drives with it. */
   @Nullable FormationFootprint group;
 
@@ -45,19 +55,24 @@ final class DrivenBody {
   /** Where it really is. */
   List<PlacedDisc> discs() {
     return group == null
-        ? List.of(new PlacedDisc(pose.position().plus(error), diameter / 2))
+        ? List.of(new PlacedDisc(place().position().plus(error), diameter / 2))
         : group.discs(pose);
+  }
+
+  /** Where it takes itself to be, on its path or in its room beside that. */
+  Pose place() {
+    return aside == 0 ? pose : pose.compose(new Pose(0, aside, 0));
   }
 
   /** Whether it is so near to another one that the two have to be looked at. */
   boolean mayTouch(DrivenBody other) {
-    return pose.position().distanceTo(other.pose.position()) < reach() + other.reach();
+    return place().position().distanceTo(other.place().position()) < reach() + other.reach();
   }
 
   /** No part of it is farther from its pose, metres. */
   private double reach() {
     return discs().stream()
-        .mapToDouble(disc -> disc.centre().distanceTo(pose.position()) + disc.radius())
+        .mapToDouble(disc -> disc.centre().distanceTo(place().position()) + disc.radius())
         .max()
         .orElseThrow();
   }
@@ -117,6 +132,13 @@ final class DrivenBody {
         require(release.released() > released, decision.robot() + ": released less");
         released = release.released();
       }
+      case DriveCommand.Room lent -> {
+        require(trajectory != null, decision.robot() + " was lent room while it is stopped");
+        require(
+            lent.room().to() <= released, decision.robot() + ": room where nothing is released");
+        room = lent.room();
+        isRoomTaken = true;
+      }
     }
   }
 
@@ -146,8 +168,21 @@ final class DrivenBody {
         completed < driven.segments().size()
             ? at.advanced(driven.segments().get(completed).twist(), inSegment)
             : at;
+    moveAside(chance);
     if (last && completed == driven.segments().size()) {
       trajectory = null;
+    }
+  }
+
+  /** Anywhere in its room, until it gives that back behind it. */
+  private void moveAside(SplittableRandom chance) {
+    PassingRoom lent = room;
+    if (lent == null || completed >= lent.to()) {
+      room = null;
+      aside = 0;
+    } else if (completed >= lent.from()) {
+      double to = chance.nextBoolean() ? lent.left() : -lent.right();
+      aside = chance.nextInt(3) == 0 ? to : to * chance.nextDouble();
     }
   }
 }

@@ -288,7 +288,11 @@ final class DrivenFloor {
     if (body.trajectory == null) {
       traffic.reportStanding(name, body.pose, body.diameter, now);
     } else {
-      traffic.reportProgress(name, body.pose, body.completed, now);
+      traffic.reportProgress(name, body.place(), body.completed, now);
+      if (body.isRoomTaken && body.room == null) {
+        traffic.returnRoom(name);
+        body.isRoomTaken = false;
+      }
     }
   }
 

@@ -17,6 +17,8 @@ import org.toqa.link.message.ServerMessage.Follow;
 import org.toqa.link.message.ServerMessage.Lead;
 import org.toqa.link.message.ServerMessage.Locate;
 import org.toqa.link.message.ServerMessage.Release;
+import org.toqa.link.message.ServerMessage.Room;
+import org.toqa.motion.DriveKind;
 
 /**
  * What a robot refuses for what it does now. Each rule answers with the sentence that goes back to
@@ -30,6 +32,7 @@ final class CommandRules {
   private final DriveRules driveRules;
   private final FormationRules formationRules;
   private final RobotRecord record;
+  private final DriveKind kind;
 
   /**
    * @param encrypted whether the link is
@@ -39,6 +42,7 @@ final class CommandRules {
     this.driveRules = new DriveRules(config.limits());
     this.formationRules = new FormationRules(config, encrypted);
     this.record = record;
+    this.kind = config.kind();
   }
 
   /** The drive that a command names. */
@@ -111,6 +115,13 @@ final class CommandRules {
 
   Optional<String> objectionTo(Release release, DriveRun run) {
     return driveRules.objectionTo(release, run.trajectory());
+  }
+
+  Optional<String> objectionTo(Room room, DriveRun run, Activity activity) {
+    if (!(activity instanceof Alone) || !kind.canGoSideways()) {
+      return Optional.of("Only a robot that drives alone, and can go sideways, needs room.");
+    }
+    return driveRules.objectionTo(room, run.trajectory());
   }
 
   Optional<String> objectionTo(Lead lead, Activity activity, @Nullable ArmWork arm) {

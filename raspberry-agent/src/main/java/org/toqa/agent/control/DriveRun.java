@@ -15,7 +15,9 @@ import org.toqa.geometry.Pose;
 import org.toqa.link.message.AgentMessage.Fault;
 import org.toqa.link.message.ServerMessage.Drive;
 import org.toqa.link.message.ServerMessage.Extend;
+import org.toqa.link.message.ServerMessage.Room;
 import org.toqa.motion.DriveKind;
+import org.toqa.motion.PassingRoom;
 
 /**
  * The current drive: its trajectory, whether it ends its phase, and whether it was cancelled. A
@@ -73,6 +75,10 @@ final class DriveRun {
     isFinal = order.last();
   }
 
+  void lend(Room order) {
+    avoider.lend(new PassingRoom(order.from(), order.to(), order.left(), order.right()));
+  }
+
   void cancel() {
     isCancelled = true;
   }
@@ -101,7 +107,8 @@ final class DriveRun {
       runner.watch(tick.pose());
       return relay.command(canMove);
     }
-    return new MoveAt(runner.steer(tick.pose(), tick.seconds(), canMove ? 1 : 0));
+    return new MoveAt(
+        runner.steer(tick.pose(), tick.seconds(), canMove ? avoider.pace(trajectory()) : 0));
   }
 
   private boolean canBegin(boolean canMove) {

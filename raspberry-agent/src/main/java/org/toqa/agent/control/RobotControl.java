@@ -49,6 +49,7 @@ import org.toqa.link.message.ServerMessage.Locate;
 import org.toqa.link.message.ServerMessage.Ping;
 import org.toqa.link.message.ServerMessage.Release;
 import org.toqa.link.message.ServerMessage.Resume;
+import org.toqa.link.message.ServerMessage.Room;
 
 /**
  * What the robot does: obeys commands that are legal, drives along its trajectory, and reports. A
@@ -203,6 +204,10 @@ public final class RobotControl {
                   CommandCheck.of(
                       rules.objectionTo(release, run),
                       () -> run.trajectory().release(release.released())));
+      case Room room ->
+          checkChange(
+              room.drive(),
+              run -> CommandCheck.of(rules.objectionTo(room, run, activity), () -> run.lend(room)));
       case Locate locate ->
           CommandCheck.of(
               rules.objectionTo(locate, activity),
@@ -505,6 +510,8 @@ public final class RobotControl {
         activity.drive().map(DriveRun::reportedSegment).orElse(0),
         activity.drive().map(DriveRun::reportedRelease).orElse(0),
         avoider.obstacles(),
+        avoider.roomUse(),
+        avoider.room().orElse(null),
         activity instanceof Following following ? following.follower().error() : null,
         arm == null ? null : arm.state(),
         faults());

@@ -27,6 +27,7 @@ import org.toqa.link.message.ServerMessage.Locate;
 import org.toqa.link.message.ServerMessage.Ping;
 import org.toqa.link.message.ServerMessage.Release;
 import org.toqa.link.message.ServerMessage.Resume;
+import org.toqa.link.message.ServerMessage.Room;
 
 /**
  * What a robot knows of itself: the journal, which outlives the daemon, and the last reading of its
@@ -158,7 +159,7 @@ final class RobotRecord {
     JournalEntry next = entryAfter(command).withLastSeq(command.seq());
     boolean isSaved =
         switch (command) {
-          case Extend _, Release _ ->
+          case Extend _, Release _, Room _ ->
               journal.save(next); // it drives, and must not wait for the disk
           default -> journal.saveDurably(next);
         };
@@ -183,7 +184,7 @@ final class RobotRecord {
           entry()
               .withAnchor(
                   reading.powerCycle(), locate.pose().compose(reading.odometry().relative(ORIGIN)));
-      case Extend _, Release _, Lead _, Clear _, Ping _ -> entry();
+      case Extend _, Release _, Room _, Lead _, Clear _, Ping _ -> entry();
     };
   }
 

@@ -15,8 +15,10 @@ import org.toqa.link.message.AgentMessage.Fault;
 import org.toqa.link.message.AgentMessage.Hello;
 import org.toqa.link.message.AgentMessage.Mode;
 import org.toqa.link.message.AgentMessage.Role;
+import org.toqa.link.message.AgentMessage.RoomUse;
 import org.toqa.link.message.AgentMessage.Speed;
 import org.toqa.link.message.AgentMessage.State;
+import org.toqa.motion.PassingRoom;
 
 /**
  * A robot at one instant, as its messages report it.
@@ -25,6 +27,7 @@ import org.toqa.link.message.AgentMessage.State;
  * @param segment how many segments of the drive are completed
  * @param released how many may be driven
  * @param obstacles points where something blocks its path, map frame
+ * @param room that it was lent beside its path; null: none
  * @param placeError metres off its place beside its leader; null: it does not follow
  * @param arm null: it has none
  */
@@ -39,6 +42,8 @@ public record RobotReport(
     int segment,
     int released,
     List<Vec2> obstacles,
+    RoomUse roomUse,
+    @Nullable PassingRoom room,
     @Nullable Double placeError,
     @Nullable ArmState arm,
     List<Fault> errors) {
@@ -67,7 +72,9 @@ public record RobotReport(
         entry.done(),
         config.arm() == null ? null : config.arm().arm(),
         arm == null ? null : arm.act(),
-        entry.acted());
+        entry.acted(),
+
+        room);
   }
 
   /**
@@ -93,6 +100,7 @@ public record RobotReport(
         placeError,
         reading.measuredLoad(),
         arm,
+        roomUse,
         notes.isEmpty() ? errors : Stream.concat(errors.stream(), notes.stream()).toList());
   }
 }

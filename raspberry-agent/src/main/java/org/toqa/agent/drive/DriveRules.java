@@ -10,6 +10,7 @@ import org.toqa.link.message.ServerMessage.Drive;
 import org.toqa.link.message.ServerMessage.Extend;
 import org.toqa.link.message.ServerMessage.Locate;
 import org.toqa.link.message.ServerMessage.Release;
+import org.toqa.link.message.ServerMessage.Room;
 import org.toqa.motion.Segment;
 import org.toqa.motion.Trajectory;
 
@@ -26,6 +27,8 @@ public final class DriveRules {
 
   private static final int MOST_SEGMENTS = 100_000;
   private static final double LONGEST_SEGMENT_SECONDS = 3_600;
+
+  private static final double WIDEST_ROOM = 1;
 
   /** No floor is larger than this. */
   private static final double LARGEST_COORDINATE = 100_000;
@@ -88,6 +91,29 @@ public final class DriveRules {
           trajectory.releasedCount(), trajectory.size(), release.released());
     }
     return Optional.empty();
+  }
+
+  public Optional<String> objectionTo(Room room, ReferenceTrajectory trajectory) {
+    if (!(0 <= room.from() && room.from() < room.to() && room.to() <= trajectory.releasedCount())) {
+      return objection(
+          "Room can be lent beside segments that are released, 0 to %d, not %d to %d.",
+          trajectory.releasedCount(), room.from(), room.to());
+    }
+    if (!isWidth(room.left()) || !isWidth(room.right())) {
+      return objection(
+          "Room beside a path is 0 to %.1f m wide, not %s and %s m.",
+          WIDEST_ROOM, room.left(), room.right());
+    }
+    for (int i = room.from(); i < room.to(); i++) {
+      if (trajectory.segment(i).v() <= 0) {
+        return objection("On segment %d the robot does not drive forward; no room helps there.", i);
+      }
+    }
+    return Optional.empty();
+  }
+
+  private static boolean isWidth(double metres) {
+    return metres >= 0 && metres <= WIDEST_ROOM;
   }
 
   public Optional<String> objectionTo(Locate locate) {

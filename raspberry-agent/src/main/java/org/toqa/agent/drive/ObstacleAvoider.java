@@ -4,6 +4,8 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.stream.Stream;
+import org.jspecify.annotations.Nullable;
+import org.toqa.avoidance.Bypass;
 import org.toqa.avoidance.Corridor;
 import org.toqa.avoidance.DetectionMemory;
 import org.toqa.avoidance.Passage;
@@ -14,12 +16,14 @@ import org.toqa.geometry.Pose;
 import org.toqa.geometry.Twist;
 import org.toqa.geometry.Vec2;
 import org.toqa.link.message.AgentMessage.Fault;
+import org.toqa.link.message.AgentMessage.RoomUse;
 import org.toqa.motion.DriveKind;
+import org.toqa.motion.PassingRoom;
 
 /**
  * Watches the path that a robot is about to drive: lets it pass beside an obstacle that only
- * reaches in, stops it before one that is on the path, and turns it a little to see how wide that
- * is. A leader only stops.
+ * reaches in, or in room that it was lent round one that is on the path; else stops it before that,
+ * and turns it a little to see how wide that is. A leader only stops.
  */
 public final class ObstacleAvoider {
 
@@ -29,6 +33,12 @@ public final class ObstacleAvoider {
   /** Metres round a point that blocks the path: what is seen there belongs to the same obstacle. */
   private static final double SAME_OBSTACLE_METRES = 0.5;
 
+  /** Metres of the path on which it looks where it drives, while it passes something. */
+  private static final double PASSING_METRES = 1.6;
+
+  /** Metres; so exactly it remembers where things are that it drives round. */
+  private static final double SHARP = 0.01;
+
   /** Metres; with less room than this it stays stopped. */
   private static final double STOP_DISTANCE = 0.02;
 
@@ -37,11 +47,18 @@ public final class ObstacleAvoider {
   private final RangeSensors sensors;
   private final DetectionMemory blockingSightings = new DetectionMemory();
   private final DetectionMemory nearSightings = new DetectionMemory();
+  private final DetectionMemory sightings = new DetectionMemory(SHARP);
   private final Sidestep sidestep = new Sidestep();
+  private final Bypass bypass;
   private final ScanTurn glance = new ScanTurn();
   private List<Vec2> newSightings = List.of();
   private double now;
   private Passage passage = FREE_PASSAGE;
+  private List<Vec2> lineAhead = List.of();
+  private boolean mayPass;
+
+  /** What the traffic has lent it beside its path; null: nothing. */
+  private @Nullable PassingRoom room;
 
   /**
    * @param radius of the robot, metres
@@ -52,6 +69,7 @@ public final class ObstacleAvoider {
     this.radius = radius;
     this.mostAside = kind.canGoSideways() ? Sidestep.MAX_OFFSET : 0;
     this.sensors = new RangeSensors(radius);
+    this.bypass = new Bypass(radius);
   }
 
   /**
@@ -65,8 +83,30 @@ public final class ObstacleAvoider {
     now = seconds;
     blockingSightings.forgetOld(now);
     nearSightings.forgetOld(now);
+    sightings.forgetOld(now);
     newSightings = sensors.detections(ranges, pose);
+    sightings.forget(point -> sensors.areThrough(ranges, pose, point));
+    sightings.remember(newSightings, now);
     passage = FREE_PASSAGE;
+    lineAhead = List.of();
+  }
+
+  /** From now on the robot may be beside its path there, until it is past what is in its way. */
+  public void lend(PassingRoom lent) {
+    room = lent;
+  }
+
+  /** What it was lent and has not given back. */
+  public Optional<PassingRoom> room() {
+    return Optional.ofNullable(room);
+  }
+
+  /** Whether it has room beside its path, or needs it to get on. */
+  public RoomUse roomUse() {
+    if (room != null) {
+      return RoomUse.HELD;
+    }
+    return mayPass && !passage.blocking().isEmpty() ? RoomUse.WANTED : RoomUse.NONE;
   }
 
   /**
@@ -76,22 +116,69 @@ public final class ObstacleAvoider {
    * @param onward whether the robot may move
    */
   public void avoidObstacles(ReferenceTrajectory trajectory, double seconds, boolean onward) {
+    mayPass = mostAside > 0;
+    if (room != null) {
+      passInRoom(room, trajectory, seconds, onward);
+      return;
+    }
     List<Vec2> seen = sightedPoints();
     if (!seen.isEmpty() || !sidestep.isOnPath() || !glance.isStraight()) {
       Corridor corridor = updatePassage(trajectory, seen);
       sidestep.step(
           trajectory.pose(), trajectory.twist().vx(), passage.beside(), corridor.length(), seconds);
-      if (onward) {
-        glance.step(isStopped() && trajectory.isStanding(), seconds);
-      } else {
-        glance.hold();
-      }
+      glance(trajectory, seconds, onward);
     }
     trajectory.stopWithin(glance.isStraight() ? passage.freeDistance() : 0);
   }
 
+  /** Drives round what is on the path, and gives the room back behind it. */
+  private void passInRoom(
+      PassingRoom lent, ReferenceTrajectory trajectory, double seconds, boolean onward) {
+    Corridor corridor = new Corridor(trajectory.posesAhead(PASSING_METRES));
+    Bypass.Room there =
+        new Bypass.Room(
+            trajectory.metresTo(lent.from()),
+            trajectory.metresTo(lent.to()),
+            lent.left(),
+            lent.right());
+    Bypass.Way way = bypass.step(corridor, there, trajectory.twist(), sightings.points(), seconds);
+    lineAhead = way.line();
+    passage = new Passage(way.blocking(), List.of(), way.free() + Passage.STOP_GAP);
+    remember();
+    sidestep.step(
+        trajectory.pose(), trajectory.twist().vx(), List.of(), corridor.length(), seconds);
+    glance(trajectory, seconds, onward);
+    trajectory.stopWithin(glance.isStraight() ? passage.freeDistance() : 0);
+    boolean isPast =
+        way.blocking().stream().noneMatch(p -> corridor.beside(p).along() < there.end());
+    if (bypass.isOnPath() && isPast) {
+      room = null; // for what comes behind it, it asks anew
+    }
+  }
+
+  private void glance(ReferenceTrajectory trajectory, double seconds, boolean onward) {
+    if (onward) {
+      glance.step(isStopped() && trajectory.isStanding(), seconds);
+    } else {
+      glance.hold();
+    }
+  }
+
+  /** How fast the robot's place on its path may move, as a share of the planned speed. */
+  public double pace(ReferenceTrajectory trajectory) {
+    return room == null ? 1 : bypass.pace(trajectory.plannedTwist());
+  }
+
+  /** Where the robot's middle will be on the next metres, map frame. */
+  List<Vec2> lineAhead(ReferenceTrajectory trajectory, double metres) {
+    return lineAhead.isEmpty()
+        ? trajectory.posesAhead(metres).stream().map(Pose::position).toList()
+        : lineAhead;
+  }
+
   /** The same for a leader, which has a load beside it: it neither steps aside nor turns. */
   public void stopForObstacles(ReferenceTrajectory trajectory) {
+    mayPass = false;
     List<Vec2> seen = sightedPoints();
     if (!seen.isEmpty()) {
       updatePassage(trajectory, seen);
@@ -104,6 +191,7 @@ public final class ObstacleAvoider {
     return passage.freeDistance() < Double.POSITIVE_INFINITY
         || !passage.beside().isEmpty()
         || !sidestep.isOnPath()
+        || !bypass.isOnPath()
         || !glance.isStraight();
   }
 
@@ -139,7 +227,7 @@ public final class ObstacleAvoider {
    * @param reference where it would be on its path, map frame
    */
   Pose corrected(Pose reference) {
-    return glance.turned(sidestep.beside(reference));
+    return glance.turned(bypass.beside(sidestep.beside(reference)));
   }
 
   /**
@@ -148,7 +236,7 @@ public final class ObstacleAvoider {
    * @param reference how it would move on its path, in its own frame
    */
   Twist corrected(Twist reference) {
-    return glance.turned(sidestep.beside(reference));
+    return glance.turned(bypass.beside(sidestep.beside(reference)));
   }
 
   /** The points of the obstacles that block the path, map frame. */

@@ -143,6 +143,21 @@ public final class ReferenceTrajectory {
     return poses;
   }
 
+  /**
+   * Metres of the path from here to where a segment begins; below 0 behind the reference.
+   *
+   * @param index of the segment, or the number of segments: where the last one ends
+   */
+  double metresTo(int index) {
+    int here = completedCount;
+    double metres = 0;
+    for (int i = Math.min(index, here); i < Math.max(index, here); i++) {
+      metres += segments.get(i).length();
+    }
+    double done = here < segments.size() ? Math.abs(segments.get(here).v()) * timeInSegment : 0;
+    return (index < here ? -metres : metres) - done;
+  }
+
   /** How many segments there are. */
   public int size() {
     return segments.size();
@@ -194,6 +209,11 @@ public final class ReferenceTrajectory {
     return completedCount == segments.size()
         ? Twist.ZERO
         : segments.get(completedCount).twist().times(pace);
+  }
+
+  /** The velocity that is planned here, in the reference's own frame. */
+  Twist plannedTwist() {
+    return completedCount == segments.size() ? Twist.ZERO : segments.get(completedCount).twist();
   }
 
   /**

@@ -126,8 +126,8 @@ public final class SegmentRunner {
     double error = observe(actual);
     double slack = (WAITING_METRES - error) / (WAITING_METRES - SLOWING_METRES);
     trajectory.advance(seconds, isOffPath ? 0 : Math.min(pace, Math.clamp(slack, 0, 1)));
-    leaveTrail(trajectory.pose().position());
     Pose reference = avoider.corrected(trajectory.pose());
+    leaveTrail(reference.position());
     Pose followed = delayedReference(reference);
     settled = trajectory.isStanding() && isNear(reference, actual, settled ? HYSTERESIS : 1);
     return settled || isOffPath
@@ -182,7 +182,7 @@ public final class SegmentRunner {
 
   private double distanceToPath(Vec2 point) {
     List<Vec2> path = new ArrayList<>(trail);
-    trajectory.posesAhead(PATH_METRES).forEach(pose -> path.add(pose.position()));
+    path.addAll(avoider.lineAhead(trajectory, PATH_METRES));
     double nearest = point.distanceTo(path.getFirst());
     for (int i = 1; i < path.size(); i++) {
       nearest = Math.min(nearest, point.distanceToLine(path.get(i - 1), path.get(i)));
