@@ -790,7 +790,7 @@ final class CarryingWorld {
         goals.isEmpty()
             && body.glimpsed.isEmpty()
             && all.isFree(body.next())
-            && (grid == all || border(map, all, body.next()).isEmpty());
+            && (grid.equals(all) || border(map, all, body.next()).isEmpty());
     if (isAll) {
       body.begin(Errand.NONE);
       tell(new CarryEvent.StoreSeen(body.name));
@@ -890,9 +890,14 @@ final class CarryingWorld {
 
   private boolean mayDrive(CarryingBody body) {
     CarryingBody other = body.partner;
-    return rightOfWay.mayDrive(body.name) && (other == null || rightOfWay.mayDrive(other.name))
-        || (other != null && other.name.equals(rightOfWay.passing()))
-        || body.name.equals(rightOfWay.passing());
+    if (body.name.equals(rightOfWay.passing())) {
+      return true;
+    }
+    if (other == null) {
+      return rightOfWay.mayDrive(body.name);
+    }
+    return other.name.equals(rightOfWay.passing())
+        || (rightOfWay.mayDrive(body.name) && rightOfWay.mayDrive(other.name));
   }
 
   private boolean planPast(String name) {
