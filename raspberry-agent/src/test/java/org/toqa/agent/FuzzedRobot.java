@@ -53,8 +53,8 @@ import org.toqa.link.message.ServerMessage.Locate;
 import org.toqa.link.message.ServerMessage.Ping;
 import org.toqa.link.message.ServerMessage.Release;
 import org.toqa.link.message.ServerMessage.Resume;
-import org.toqa.motion.DriveKind;
 import org.toqa.link.message.ServerMessage.Room;
+import org.toqa.motion.DriveKind;
 import org.toqa.motion.Segment;
 import org.toqa.testbed.LineFuzzer;
 

@@ -20,7 +20,7 @@ class PassingRoomPropertyTest {
   @Property(tries = 20)
   void robotsAnywhereInTheirRoomsTouchNobodyAndAllArrive(@ForAll long seed) {
     SplittableRandom chance = new SplittableRandom(seed);
-    DrivenFloor floor = new DrivenFloor(DrivenFloor.draw(HALL), seed);
+    DrivenFloor floor = new DrivenFloor(DrivenFloor.draw(PassingRoomTest.HALL), seed);
     for (int i = 0; i < 4; i++) {
       floor.put("r" + i, new Cell(1 + 4 * i, 1 + chance.nextInt(5)));
     }

@@ -73,7 +73,6 @@ public record RobotReport(
         config.arm() == null ? null : config.arm().arm(),
         arm == null ? null : arm.act(),
         entry.acted(),
-
         room);
   }
 
