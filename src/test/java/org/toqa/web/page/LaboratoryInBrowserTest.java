@@ -152,8 +152,7 @@ class LaboratoryInBrowserTest extends PagesInBrowser {
       assertEquals("QUEUED", started.path("state").stringValue());
       assertEquals(404, manager.get(run + "/report").statusCode());
       assertEquals(409, manager.sendJson("DELETE", run, "").statusCode());
-      await(
-          page(), () -> json(manager.get(run)).path("state").stringValue().equals("DONE"));
+      await(page(), () -> json(manager.get(run)).path("state").stringValue().equals("DONE"));
       assertEquals(2, json(manager.get(run + "/report")).path("seed").intValue());
       JsonNode scene = json(manager.get(run + "/scenes/cluttered-both"));
       assertTrue(scene.path("bodies").size() > 1, scene::toString);
