@@ -66,6 +66,13 @@
               </dd>
             </c:otherwise>
           </c:choose>
+          <c:if test="${not empty task.task.arm}">
+            <c:forTokens items="pick,place" delims="," var="end">
+              <fmt:formatNumber value="${task.task.arm[end].x}" maxFractionDigits="2" var="x"/>
+              <fmt:formatNumber value="${task.task.arm[end].y}" maxFractionDigits="2" var="y"/>
+              <dt><fmt:message key="newTask.arm.${end}"/></dt><dd><bdi dir="ltr">(${x}, ${y})</bdi></dd>
+            </c:forTokens>
+          </c:if>
           <dt><fmt:message key="task.floor"/></dt><dd><bdi><c:out value="${task.task.floor}"/></bdi></dd>
           <dt><fmt:message key="task.robots"/></dt><dd><t:robots names="${task.robots}"/><c:if test="${task.robots.size() > 1}"><fmt:message key="task.leads" var="leads"><fmt:param value="${task.robots[0]}"/></fmt:message>${" "}<span class="faint"><c:out value="${leads}"/></span></c:if></dd>
           <c:if test="${not empty task.task.onlyRobots}"><dt><fmt:message key="task.onlyRobots"/></dt><dd><t:robots names="${task.task.onlyRobots}"/></dd></c:if>
@@ -104,6 +111,7 @@
           <c:param name="length" value="${task.task.size.length}"/>
           <c:param name="width" value="${task.task.size.width}"/>
           <c:forEach items="${task.task.onlyRobots}" var="robot"><c:param name="onlyRobots" value="${robot}"/></c:forEach>
+          <c:if test="${not empty task.task.arm and not leftLoad}"><c:param name="pickX" value="${task.task.arm.pick.x}"/><c:param name="pickY" value="${task.task.arm.pick.y}"/><c:param name="placeX" value="${task.task.arm.place.x}"/><c:param name="placeY" value="${task.task.arm.place.y}"/></c:if>
           <c:forTokens items="start,goal" delims="," var="end">
             <c:set var="place" value="${end == 'start' and leftLoad ? task.loadAt : task.task[end]}"/>
             <c:choose>
@@ -183,7 +191,7 @@
       <c:if test="${not empty task.needs}">
         <form class="choices" method="post" action="${root}/tasks/${task.task.id}/answer">
           <t:csrf/>
-          <c:forEach items="${task.needs.answers}" var="answer"><c:if test="${answer != 'cancel'}"><button name="answer" value="<c:out value="${answer}"/>"><fmt:message key="task.answer.${answer == 'another robot' ? 'another' : answer}"/></button></c:if></c:forEach>
+          <c:forEach items="${task.needs.answers}" var="answer"><c:if test="${answer != 'cancel'}"><button name="answer" value="<c:out value="${answer}"/>"><fmt:message key="task.answer.${answer == 'another robot' ? 'another' : fn:replace(answer, ' ', '-')}"/></button></c:if></c:forEach>
         </form>
       </c:if>
       <form class="choices" method="post" action="${root}/tasks/${task.task.id}/${task.held or isStopped ? 'resume' : 'hold'}">

@@ -83,6 +83,6 @@ public record Candidate(
   }
 
   boolean isStrongEnough(AllocationTask task) {
-    return maxLoad >= task.load();
+    return maxLoad >= task.load() && task.allows(robot);
   }
 }

@@ -33,6 +33,8 @@ public enum EventKind {
   TASK_ROBOT_WITHDRAWN("task.robot-withdrawn"),
   TASK_SET_DOWN("task.set-down"),
   TASK_STARTED("task.started"),
+  TASK_WEIGHED("task.weighed"),
+  TASK_ARM_FAILED("task.arm-failed"),
   ROBOT_ADDED("robot.added"),
   ROBOT_CHANGED("robot.changed"),
   ROBOT_CHARGE_ENDED("robot.charge-ended"),
@@ -127,6 +129,7 @@ public enum EventKind {
       case MissionEvent.Retasked ignored -> TASK_RETASKED;
       case MissionEvent.Exchanged ignored -> TASK_EXCHANGED;
       case MissionEvent.Stopped ignored -> TASK_SET_DOWN;
+      case MissionEvent.ActFailed ignored -> TASK_ARM_FAILED;
       case MissionEvent.RobotLost ignored -> TASK_ROBOT_LOST;
       case MissionEvent.RobotFailed ignored -> TASK_ROBOT_FAILED;
       case MissionEvent.RobotWithdrawn ignored -> TASK_ROBOT_WITHDRAWN;

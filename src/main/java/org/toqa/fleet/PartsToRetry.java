@@ -58,7 +58,8 @@ public record PartsToRetry(List<TaskOrder> orders, List<OrderPart> parts) {
         task.deadline(),
         task.size(),
         task.onlyRobots(),
-        List.of());
+        List.of(),
+        task.arm());
   }
 
   private static Where where(TaskPlace place) {

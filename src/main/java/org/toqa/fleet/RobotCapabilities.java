@@ -1,5 +1,7 @@
 package org.toqa.fleet;
 
+import org.jspecify.annotations.Nullable;
+import org.toqa.arm.Arm;
 import org.toqa.motion.DriveKind;
 import org.toqa.motion.DriveSpeeds;
 
@@ -11,6 +13,7 @@ import org.toqa.motion.DriveSpeeds;
  * @param sensorRange metres that its range sensors see
  * @param kind how it can move
  * @param track metres between its two wheels; 0: it has others, or nobody knows
+ * @param arm null: it has none, or it is not known
  */
 public record RobotCapabilities(
     double footprint,
@@ -18,7 +21,20 @@ public record RobotCapabilities(
     double maxLoad,
     double sensorRange,
     DriveKind kind,
-    double track) {
+    double track,
+    @Nullable Arm arm) {
+
+  /** Of a robot without an arm. */
+  public RobotCapabilities(
+      double footprint,
+      DriveSpeeds speeds,
+      double maxLoad,
+      double sensorRange,
+      DriveKind kind,
+      double track) {
+    this(footprint, speeds, maxLoad, sensorRange, kind, track, null);
+  }
+
 
   /** Assumed of a robot that was never heard of: the smallest diameter of ours, any load. */
   public static final RobotCapabilities UNKNOWN =
@@ -36,11 +52,11 @@ public record RobotCapabilities(
   }
 
   public RobotCapabilities withFootprint(double diameter) {
-    return new RobotCapabilities(diameter, speeds, maxLoad, sensorRange, kind, track);
+    return new RobotCapabilities(diameter, speeds, maxLoad, sensorRange, kind, track, arm);
   }
 
   public RobotCapabilities withMaxLoad(double kilograms) {
-    return new RobotCapabilities(footprint, speeds, kilograms, sensorRange, kind, track);
+    return new RobotCapabilities(footprint, speeds, kilograms, sensorRange, kind, track, arm);
   }
 
   /** Whether the robot has ever said what it carries: whether it was ever connected. */

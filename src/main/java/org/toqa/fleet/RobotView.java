@@ -3,9 +3,11 @@ package org.toqa.fleet;
 import java.time.Instant;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
+import org.toqa.arm.JointAngles;
 import org.toqa.geometry.Pose;
 import org.toqa.geometry.Vec2;
 import org.toqa.link.message.AgentMessage;
+import org.toqa.link.message.AgentMessage.ArmState;
 import org.toqa.link.message.AgentMessage.Fault;
 import org.toqa.mission.Phase;
 import org.toqa.traffic.floor.PathDeviation;
@@ -96,13 +98,25 @@ public record RobotView(
    *     not known
    * @param placeError metres off its place beside its leader; null: it does not follow
    * @param measuredLoad kilograms that it bears, as it measures; null: nothing, or it has no scale
+   * @param arm null: it has none
    */
   public record Readings(
       @Nullable Double speed,
       @Nullable Double turnRate,
       List<Double> ranges,
       @Nullable Double placeError,
-      @Nullable Double measuredLoad) {
+      @Nullable Double measuredLoad,
+      @Nullable ArmState arm) {
+
+    /** Of a robot without an arm. */
+    public Readings(
+        @Nullable Double speed,
+        @Nullable Double turnRate,
+        List<Double> ranges,
+        @Nullable Double placeError,
+        @Nullable Double measuredLoad) {
+      this(speed, turnRate, ranges, placeError, measuredLoad, null);
+    }
 
     public static final Readings NONE = new Readings(null, null, List.of(), null, null);
 
@@ -118,7 +132,20 @@ public record RobotView(
           rounded(state.twist().w()),
           state.ranges().stream().limit(MOST_RANGES).map(Readings::rounded).toList(),
           error == null ? null : rounded(error),
-          load == null ? null : rounded(load));
+          load == null ? null : rounded(load),
+          rounded(state.arm()));
+    }
+
+    private static @Nullable ArmState rounded(@Nullable ArmState arm) {
+      if (arm == null) {
+        return null;
+      }
+      Double load = arm.load();
+      return new ArmState(
+          new JointAngles(rounded(arm.joints().shoulder()), rounded(arm.joints().elbow())),
+          load == null ? null : rounded(load),
+          arm.act(),
+          arm.step());
     }
 
     private static double rounded(double value) {

@@ -8,6 +8,7 @@ import java.util.Objects;
 import java.util.stream.IntStream;
 import org.jspecify.annotations.Nullable;
 import org.toqa.geometry.Vec2;
+import org.toqa.mission.ArmHandling;
 import org.toqa.mission.Stop;
 import org.toqa.mission.TaskPlace;
 import org.toqa.mission.TransportTask;
@@ -20,6 +21,7 @@ import org.toqa.mission.TransportTask.LoadSize;
  * @param load kilograms
  * @param floor null: the one of {@link FloorChoice}
  * @param onlyRobots names of those that may carry it; empty: whichever there are
+ * @param arm null: no arm picks it up
  * @param stops all of its way, the start first and the goal last; empty: from start to goal, and
  *     nobody waits
  */
@@ -33,7 +35,8 @@ public record TaskOrder(
     @Nullable Instant deadline,
     @Nullable LoadSize size,
     List<String> onlyRobots,
-    List<StopOrder> stops) {
+    List<StopOrder> stops,
+    @Nullable ArmHandling arm) {
 
   /** A place on its way, and what robots wait for there: as {@link Stop}. */
   public record StopOrder(Where where, boolean awaitsPerson, @Nullable Duration waitTime) {
@@ -64,6 +67,21 @@ public record TaskOrder(
     stops = List.copyOf(stops);
   }
 
+  /** One whose load is put onto the robot and taken from it. */
+  public TaskOrder(
+      String name,
+      double load,
+      Where start,
+      Where goal,
+      @Nullable String floor,
+      int priority,
+      @Nullable Instant deadline,
+      @Nullable LoadSize size,
+      List<String> onlyRobots,
+      List<StopOrder> stops) {
+    this(name, load, start, goal, floor, priority, deadline, size, onlyRobots, stops, null);
+  }
+
   /** One that any robot may carry. */
   public TaskOrder(
       String name,
@@ -92,13 +110,14 @@ public record TaskOrder(
         .withStops(
             IntStream.range(0, stops.size())
                 .mapToObj(i -> stops.get(i).at(places.get(i)))
-                .toList());
+                .toList())
+        .withArm(arm);
   }
 
   /** The same from there to there. */
   public TaskOrder between(Where from, Where to) {
     return new TaskOrder(
-        name, load, from, to, floor, priority, deadline, size, onlyRobots, List.of());
+        name, load, from, to, floor, priority, deadline, size, onlyRobots, List.of(), arm);
   }
 
   /**
@@ -117,7 +136,8 @@ public record TaskOrder(
         deadline,
         size,
         onlyRobots,
-        way);
+        way,
+        arm);
   }
 
   /** All places of its way, the start first and the goal last. */
@@ -148,6 +168,7 @@ public record TaskOrder(
         && (floor == null || floor.equals(task.floor()))
         && Objects.equals(asStored(deadline), asStored(task.deadline()))
         && Objects.equals(size, task.size())
+        && Objects.equals(arm, task.arm())
         && onlyRobots.equals(task.onlyRobots())
         && stops.size() == task.stops().size()
         && IntStream.range(0, stops.size()).allMatch(i -> stops.get(i).isAt(task.stops().get(i)));

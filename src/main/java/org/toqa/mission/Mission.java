@@ -7,6 +7,7 @@ import java.util.Objects;
 import java.util.Optional;
 import java.util.function.UnaryOperator;
 import org.jspecify.annotations.Nullable;
+import org.toqa.geometry.Vec2;
 import org.toqa.wording.Phrase;
 import org.toqa.wording.Sentence;
 
@@ -203,6 +204,37 @@ public record Mission(
     return state == TaskState.CARRYING && ending == LoadChoice.HERE;
   }
 
+  /** What the robot's arm has to do where it is in the mission; empty: nothing. */
+  public Optional<ArmTask> armTask(String robot) {
+    ArmHandling arm = task.arm();
+    if (arm == null
+        || assignedRobots.size() != 1
+        || isStopping()
+        || setDownPlace != null
+        || !task.stops().isEmpty()) {
+      return Optional.empty();
+    }
+    return assignedRobot(robot)
+        .filter(AssignedRobot::isDriving)
+        .flatMap(
+            assigned ->
+                switch (assigned.phase()) {
+                  case TO_OBJECT -> Optional.of(new ArmTask(true, arm.pick()));
+                  case TO_GOAL ->
+                      Optional.of(
+                          new ArmTask(false, ending == LoadChoice.BACK ? arm.pick() : arm.place()));
+                  case HOME, NONE -> Optional.empty();
+                });
+  }
+
+  /**
+   * What an arm has to do.
+   *
+   * @param isPick whether it picks the load up; else it puts it down
+   * @param target where, metres, map frame
+   */
+  public record ArmTask(boolean isPick, Vec2 target) {}
+
   /** What a person must decide now. */
   public Optional<Question> question() {
     return TroubleRules.question(this);
@@ -214,7 +246,8 @@ public record Mission(
         && assignedRobots.size() == 1
         && assignedRobots.getFirst().isDriving()
         && !held
-        && trouble == null;
+        && trouble == null
+        && task.arm() == null; // it may be in the hand already
   }
 
   /** Whether the user has seen another state than this one, and does not know it. */
@@ -267,6 +300,7 @@ public record Mission(
       case MissionEvent.Retasked e -> PhaseRules.onRetasked(this, e);
       case MissionEvent.Exchanged e -> PhaseRules.onExchanged(this, e);
       case MissionEvent.Stopped e -> PhaseRules.onStopped(this, e);
+      case MissionEvent.ActFailed e -> TroubleRules.onActFailed(this, e);
       case MissionEvent.RobotLost e -> TroubleRules.onRobotLost(this, e);
       case MissionEvent.RobotFailed e -> TroubleRules.onRobotFailed(this, e);
       case MissionEvent.RobotWithdrawn e -> TroubleRules.onRobotWithdrawn(this, e);

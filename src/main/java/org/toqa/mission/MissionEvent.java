@@ -74,6 +74,14 @@ public sealed interface MissionEvent {
    */
   record ChargingRequired(String robot, Sentence why) implements OfRobot {}
 
+  /**
+   * The robot's arm did not do what it should at the end of the phase.
+   *
+   * @param why a clause about the robot
+   */
+  record ActFailed(String robot, Phase phase, Sentence why, @Nullable TaskPlace place)
+      implements OfRobot {}
+
   /** The robot, which was in trouble, can go on. */
   record RobotRecovered(String robot) implements OfRobot {}
 

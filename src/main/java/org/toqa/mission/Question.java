@@ -26,6 +26,8 @@ public record Question(
     ON_BOARD,
     /** The same, and nobody knows where. */
     ON_BOARD_SOMEWHERE,
+    /** An arm did not pick the load up, or put it down. */
+    NOT_HANDLED,
     /** Where the load of a cancelled task goes. */
     SET_DOWN
   }

@@ -9,6 +9,10 @@ public enum Reply {
   ANOTHER("another robot"),
   /** The task waits until the robot can go on. */
   WAIT("wait"),
+  /** The arm tries what it failed to do once more. */
+  AGAIN("try again"),
+  /** A person has done by hand what the arm failed to do. */
+  BY_HAND("done by hand"),
   /** The task ends; a load that is on board stays where it is. */
   CANCEL("cancel");
 

@@ -18,6 +18,7 @@ import org.jspecify.annotations.Nullable;
  *     more, or the task is not stored yet
  * @param part which part of an order it is; null: it was ordered by itself
  * @param onlyRobots names of those that may carry it; empty: whichever there are
+ * @param arm null: the load is put onto the robot and taken from it
  * @param stops all of its way, the start first and the goal last; empty: from start to goal, and
  *     nobody waits
  */
@@ -36,7 +37,8 @@ public record TransportTask(
     Instant createdAt,
     @Nullable OrderPart part,
     List<String> onlyRobots,
-    List<Stop> stops) {
+    List<Stop> stops,
+    @Nullable ArmHandling arm) {
 
   public TransportTask {
     onlyRobots = List.copyOf(onlyRobots);
@@ -80,7 +82,7 @@ public record TransportTask(
       Instant createdAt) {
     this(
         id, name, load, start, goal, floor, priority, deadline, size, user, null, createdAt, null,
-        List.of(), List.of());
+        List.of(), List.of(), null);
   }
 
   /** The same with the id that the store gave it. */
@@ -98,9 +100,7 @@ public record TransportTask(
         user,
         owner,
         createdAt,
-        part,
-        onlyRobots,
-        stops);
+        part, onlyRobots, stops, arm);
   }
 
   /** The same, of that user. */
@@ -118,16 +118,13 @@ public record TransportTask(
         newUser,
         newOwner,
         createdAt,
-        part,
-        onlyRobots,
-        stops);
+        part, onlyRobots, stops, arm);
   }
 
   /** The same, that only these robots may carry; empty: whichever there are. */
   public TransportTask withOnlyRobots(List<String> robots) {
     return new TransportTask(
-        id, name, load, start, goal, floor, priority, deadline, size, user, owner, createdAt, part,
-        robots, stops);
+        id, name, load, start, goal, floor, priority, deadline, size, user, owner, createdAt, part, robots, stops, arm);
   }
 
   /**
@@ -137,21 +134,8 @@ public record TransportTask(
    */
   public TransportTask withStops(List<Stop> way) {
     return new TransportTask(
-        id,
-        name,
-        load,
-        start,
-        goal,
-        floor,
-        priority,
-        deadline,
-        size,
-        user,
-        owner,
-        createdAt,
-        part,
-        onlyRobots,
-        way);
+        id, name, load, start, goal, floor, priority, deadline, size, user, owner, createdAt, part,
+        onlyRobots, way, arm);
   }
 
   /** All of its way, the start first and the goal last. */
@@ -178,21 +162,15 @@ public record TransportTask(
 
   private TransportTask between(TaskPlace from, TaskPlace to) {
     return new TransportTask(
-        id,
-        name,
-        load,
-        from,
-        to,
-        floor,
-        priority,
-        deadline,
-        size,
-        user,
-        owner,
-        createdAt,
-        part,
-        onlyRobots,
-        List.of());
+        id, name, load, from, to, floor, priority, deadline, size, user, owner, createdAt, part,
+        onlyRobots, List.of(), arm);
+  }
+
+  /** The same with that handling of its load. */
+  public TransportTask withArm(@Nullable ArmHandling handling) {
+    return new TransportTask(
+        id, name, load, start, goal, floor, priority, deadline, size, user, owner, createdAt, part,
+        onlyRobots, stops, handling);
   }
 
   /** The same as that part of an order. */
@@ -210,9 +188,7 @@ public record TransportTask(
         user,
         owner,
         createdAt,
-        changed,
-        onlyRobots,
-        stops);
+        changed, onlyRobots, stops, arm);
   }
 
   /** Whether the robot may carry it, alone or with others. */
@@ -227,7 +203,8 @@ public record TransportTask(
         && floor.equals(other.floor)
         && start.equals(other.start)
         && goal.equals(other.goal)
-        && stops.equals(other.stops);
+        && stops.equals(other.stops)
+        && Objects.equals(arm, other.arm);
   }
 
   /** Whether its load is of that weight, kilograms, and size: the same one, as far as is known. */
@@ -262,7 +239,8 @@ public record TransportTask(
         createdAt,
         part,
         order.onlyRobots,
-        order.stops);
+        order.stops,
+        order.arm);
   }
 
   TransportTask withPriority(int changed) {
@@ -279,8 +257,6 @@ public record TransportTask(
         user,
         owner,
         createdAt,
-        part,
-        onlyRobots,
-        stops);
+        part, onlyRobots, stops, arm);
   }
 }

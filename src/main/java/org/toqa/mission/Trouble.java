@@ -10,11 +10,18 @@ import org.toqa.wording.Sentence;
  * @param why a clause about the robot, such as {@code is not heard of}
  * @param place where the robot was last; null when nobody knows
  * @param isAwaited whether a person said that the mission waits for the robot
+ * @param isOfArm whether it is well, but its arm did not do what it should
  */
-public record Trouble(String robot, Sentence why, @Nullable TaskPlace place, boolean isAwaited) {
+public record Trouble(
+    String robot, Sentence why, @Nullable TaskPlace place, boolean isAwaited, boolean isOfArm) {
+
+  /** That the robot cannot go on. */
+  public Trouble(String robot, Sentence why, @Nullable TaskPlace place, boolean isAwaited) {
+    this(robot, why, place, isAwaited, false);
+  }
 
   Trouble withWaiting() {
-    return new Trouble(robot, why, place, true);
+    return new Trouble(robot, why, place, true, isOfArm);
   }
 
   /** Which robot, and what. */
@@ -24,6 +31,6 @@ public record Trouble(String robot, Sentence why, @Nullable TaskPlace place, boo
 
   /** Whether it says the same, also where it was stored in other parts. */
   boolean isSameAs(Trouble other) {
-    return sentence().english().equals(other.sentence().english());
+    return isOfArm == other.isOfArm && sentence().english().equals(other.sentence().english());
   }
 }

@@ -51,9 +51,18 @@ final class TroubleRules {
   }
 
   static Mission.Step onRobotRecovered(Mission mission, MissionEvent.RobotRecovered event) {
-    return troubleOf(event.robot(), mission) == null
+    Trouble known = troubleOf(event.robot(), mission);
+    return known == null || known.isOfArm()
         ? mission.unchangedStep()
         : mission.withTrouble(null).step(List.of(), Phrase.CAN_GO_ON.with(event.robot()));
+  }
+
+  /** The robot stands where its arm should have acted, until a person has answered. */
+  static Mission.Step onActFailed(Mission mission, MissionEvent.ActFailed event) {
+    return mission.phaseOf(event.robot()) == event.phase()
+            && mission.armTask(event.robot()).isPresent()
+        ? ask(mission, new Trouble(event.robot(), event.why(), event.place(), false, true))
+        : mission.unchangedStep();
   }
 
   static Mission.Step answer(Mission mission, MissionEvent.Answer event) {
@@ -66,14 +75,34 @@ final class TroubleRules {
           mission
               .withTrouble(trouble.withWaiting())
               .step(List.of(), Phrase.SAID_TO_WAIT.with(event.user(), trouble.robot()));
+      case AGAIN ->
+          mission
+              .withTrouble(null)
+              .step(List.of(), Phrase.SAID_TRY_AGAIN.with(event.user(), trouble.robot()));
+      case BY_HAND -> endByHand(mission, trouble, event.user());
       case ANOTHER -> requeue(mission, trouble, Phrase.GAVE_TO_ANOTHER.with(event.user()));
       case CANCEL ->
           mission
-              .withLoadAt(trouble.place())
+              .withLoadAt(isCarrying(mission) ? trouble.place() : mission.setDownPlace())
               .unassignAll(
                   TaskState.CANCELLED,
-                  Phrase.CANCELLED_LOAD_STAYS.with(event.user(), placeSentence(trouble)));
+                  isCarrying(mission)
+                      ? Phrase.CANCELLED_LOAD_STAYS.with(event.user(), placeSentence(trouble))
+                      : Phrase.CANCELLED_BY.with(event.user()));
     };
+  }
+
+  private static Mission.Step endByHand(Mission mission, Trouble trouble, String user) {
+    Mission.Step step =
+        PhaseRules.onPhaseEnded(
+            mission,
+            new MissionEvent.PhaseEnded(trouble.robot(), mission.phaseOf(trouble.robot())));
+    return new Mission.Step(
+        step.mission(),
+        step.commands(),
+        Stream.concat(
+                Stream.of(Phrase.DONE_BY_HAND.with(user, trouble.robot())), step.history().stream())
+            .toList());
   }
 
   static Optional<Question> question(Mission mission) {
@@ -82,6 +111,15 @@ final class TroubleRules {
       return Optional.empty();
     }
     List<String> answers = answers(mission, trouble).map(Reply::word).toList();
+    if (trouble.isOfArm()) {
+      return Optional.of(
+          Question.about(
+              trouble,
+              Question.Kind.NOT_HANDLED,
+              (isCarrying(mission) ? Phrase.ASK_AFTER_PLACING : Phrase.ASK_AFTER_PICKING)
+                  .with(trouble.sentence(), placeSentence(trouble)),
+              answers));
+    }
     if (!isCarrying(mission)) {
       return Optional.of(
           Question.about(
@@ -103,6 +141,9 @@ final class TroubleRules {
   }
 
   private static Stream<Reply> answers(Mission mission, Trouble trouble) {
+    if (trouble.isOfArm()) {
+      return Stream.of(Reply.AGAIN, Reply.BY_HAND, Reply.CANCEL);
+    }
     if (!isCarrying(mission)) {
       return Stream.of(Reply.ANOTHER, Reply.WAIT);
     }
@@ -129,7 +170,7 @@ final class TroubleRules {
       return mission.unchangedStep(); // one question at a time; the next is asked after its answer
     }
     TaskPlace place = trouble.place() == null && known != null ? known.place() : trouble.place();
-    Trouble asked = new Trouble(trouble.robot(), trouble.why(), place, false);
+    Trouble asked = new Trouble(trouble.robot(), trouble.why(), place, false, trouble.isOfArm());
     Sentence sentence =
         isCarrying(mission)
             ? Phrase.WITH_LOAD.with(asked.sentence(), placeSentence(asked))

@@ -221,7 +221,8 @@ public final class SimulatedFleet implements AutoCloseable {
             robot.kind(),
             LIMITS,
             AgentConfig.Following.of(robot.kind()),
-            createBody(folder, robot, floor));
+            createBody(folder, robot, floor),
+            robot.arm());
     Daemon daemon = Daemon.open(config, clock, clock.nanos());
     SimulatedDaemon inhabitant =
         new SimulatedDaemon(daemon, new TickSchedule(daemon, clock.nanos()));

@@ -2,6 +2,7 @@ package org.toqa.sim;
 
 import java.nio.file.Path;
 import org.jspecify.annotations.Nullable;
+import org.toqa.agent.config.ArmConfig;
 import org.toqa.geometry.Pose;
 import org.toqa.motion.DriveKind;
 
@@ -14,6 +15,7 @@ import org.toqa.motion.DriveKind;
  * @param kind how its body can move
  * @param firmware the folder of the built firmware that is to drive it, in a simulated
  *     microcontroller; null: its body is simulated as a whole
+ * @param arm null: it has none
  */
 public record SimulatedRobot(
     String name,
@@ -21,7 +23,24 @@ public record SimulatedRobot(
     double maxLoad,
     double battery,
     DriveKind kind,
-    @Nullable Path firmware) {
+    @Nullable Path firmware,
+    @Nullable ArmConfig arm) {
+
+  /** Without an arm. */
+  public SimulatedRobot(
+      String name,
+      Pose start,
+      double maxLoad,
+      double battery,
+      DriveKind kind,
+      @Nullable Path firmware) {
+    this(name, start, maxLoad, battery, kind, firmware, null);
+  }
+
+  /** The same with that arm. */
+  public SimulatedRobot withArm(ArmConfig mounted) {
+    return new SimulatedRobot(name, start, maxLoad, battery, kind, firmware, mounted);
+  }
 
   /** On three omni wheels. */
   public SimulatedRobot(

@@ -8,6 +8,7 @@ import org.jspecify.annotations.Nullable;
 import org.toqa.fleet.FleetStore.OpenTask;
 import org.toqa.fleet.TaskView;
 import org.toqa.geometry.Vec2;
+import org.toqa.mission.ArmHandling;
 import org.toqa.mission.AssignedRobot;
 import org.toqa.mission.LoadChoice;
 import org.toqa.mission.LoadRecord;
@@ -43,6 +44,10 @@ record TaskRow(
     @Nullable Double setDownY,
     @Nullable Long loadId,
     @Nullable Instant loadSince,
+    @Nullable Double armPickX,
+    @Nullable Double armPickY,
+    @Nullable Double armPlaceX,
+    @Nullable Double armPlaceY,
     @Nested("trouble") @Nullable TroubleColumns trouble,
     @Nested("order") @Nullable OrderColumns order,
     @Nullable String onlyRobots,
@@ -54,7 +59,8 @@ record TaskRow(
       """
       id, name, user_name, user_id, floor, load_kg, load_length, load_width, start_x, start_y, start_station,
       goal_x, goal_y, goal_station, priority, deadline, state, created_at, changed_at, held, ending,
-      set_down_x, set_down_y, load_id, load_since, trouble_robot, trouble_why, trouble_said, trouble_x, trouble_y, trouble_waits,
+      set_down_x, set_down_y, load_id, load_since, trouble_robot, trouble_why, trouble_said, trouble_x, trouble_y, trouble_waits, trouble_arm,
+      arm_pick_x, arm_pick_y, arm_place_x, arm_place_y,
       only_robots, stops, stop, waiting_since, order_id, order_part, awaits_previous as order_awaits,
       (select o.name from orders o where o.id = tasks.order_id) as order_name,
       (select o.kind from orders o where o.id = tasks.order_id) as order_kind,
@@ -68,9 +74,10 @@ record TaskRow(
       @Nullable String said,
       @Nullable Double x,
       @Nullable Double y,
-      boolean waits) {
+      boolean waits,
+      boolean arm) {
     Trouble toTrouble() {
-      return new Trouble(robot, SentenceJson.read(said, why), place(x, y), waits);
+      return new Trouble(robot, SentenceJson.read(said, why), place(x, y), waits, arm);
     }
   }
 
@@ -124,7 +131,14 @@ record TaskRow(
         createdAt,
         order == null ? null : order.toOrderPart(),
         RobotNames.read(onlyRobots),
-        StopsJson.read(stops));
+        StopsJson.read(stops),
+        arm());
+  }
+
+  private @Nullable ArmHandling arm() {
+    return armPickX == null || armPickY == null || armPlaceX == null || armPlaceY == null
+        ? null
+        : new ArmHandling(new Vec2(armPickX, armPickY), new Vec2(armPlaceX, armPlaceY));
   }
 
   /** Null where nobody said it. */

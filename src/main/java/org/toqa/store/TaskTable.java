@@ -12,6 +12,7 @@ import org.jdbi.v3.core.Handle;
 import org.jdbi.v3.core.statement.Update;
 import org.jspecify.annotations.Nullable;
 import org.toqa.fleet.FleetStore.Submission;
+import org.toqa.mission.ArmHandling;
 import org.toqa.mission.AssignedRobot;
 import org.toqa.mission.LoadRecord;
 import org.toqa.mission.Mission;
@@ -41,10 +42,12 @@ final class TaskTable {
                     """
                       insert into tasks (name, user_id, user_name, floor, load_kg, load_length, load_width,
                         start_x, start_y, start_station, goal_x, goal_y, goal_station, priority, deadline,
-                        state, created_at, changed_at, submission, order_id, order_part, awaits_previous, only_robots, stops)
+                        state, created_at, changed_at, submission, order_id, order_part, awaits_previous, only_robots, stops,
+                        arm_pick_x, arm_pick_y, arm_place_x, arm_place_y)
                       values (:name, :owner, :user, :floor, :load,
                         :length, :width, :startX, :startY, :startStation, :goalX, :goalY, :goalStation,
-                        :priority, :deadline, 'QUEUED', :at, :at, :submission, :order, :part, :awaits, :onlyRobots, :stops)
+                        :priority, :deadline, 'QUEUED', :at, :at, :submission, :order, :part, :awaits, :onlyRobots, :stops,
+                        :armPickX, :armPickY, :armPlaceX, :armPlaceY)
                       """),
                 task)
             .bind("owner", owner)
@@ -63,6 +66,7 @@ final class TaskTable {
   /** What is ordered of the task. */
   private static Update bindOrder(Update statement, TransportTask task) {
     LoadSize size = task.size();
+    ArmHandling arm = task.arm();
     return statement
         .bind("name", task.name())
         .bind("floor", task.floor())
@@ -75,6 +79,10 @@ final class TaskTable {
         .bind("goalX", task.goal().position().x())
         .bind("goalY", task.goal().position().y())
         .bind("goalStation", task.goal().station())
+        .bind("armPickX", arm == null ? null : arm.pick().x())
+        .bind("armPickY", arm == null ? null : arm.pick().y())
+        .bind("armPlaceX", arm == null ? null : arm.place().x())
+        .bind("armPlaceY", arm == null ? null : arm.place().y())
         .bind("priority", task.priority())
         .bind("deadline", task.deadline())
         .bind("onlyRobots", RobotNames.write(task.onlyRobots()))
@@ -128,7 +136,8 @@ final class TaskTable {
               assigned_at = coalesce(assigned_at, :assigned), delivered_at = coalesce(delivered_at, :delivered),
               set_down_x = :setDownX, set_down_y = :setDownY, trouble_robot = :troubleRobot,
               trouble_why = :troubleWhy, trouble_said = :troubleSaid, trouble_x = :troubleX,
-              trouble_y = :troubleY, trouble_waits = :troubleWaits,
+              trouble_y = :troubleY, trouble_waits = :troubleWaits, trouble_arm = :troubleArm,
+              arm_pick_x = :armPickX, arm_pick_y = :armPickY, arm_place_x = :armPlaceX, arm_place_y = :armPlaceY,
               awaits_previous = :awaits, load_id = :loadId, load_since = :loadSince,
               stop = :stop, waiting_since = :waitingSince
             where id = :id
@@ -150,6 +159,7 @@ final class TaskTable {
         .bind("troubleX", place == null ? null : place.position().x())
         .bind("troubleY", place == null ? null : place.position().y())
         .bind("troubleWaits", trouble != null && trouble.isAwaited())
+        .bind("troubleArm", trouble != null && trouble.isOfArm())
         .bind("awaits", part != null && part.awaitsPrevious())
         .bind("loadId", load == null ? null : load.id())
         .bind("loadSince", load == null ? null : load.since())

@@ -16,7 +16,9 @@ export function drawTasks(context, viewport, colours, tasks) {
       drawGoal(context, viewport, colours, task);
     }
     if (task.state !== 'CARRYING' || task.loadAt) {
-      const {x, y} = task.state === 'RETURNING' ? task.goal : (task.loadAt ?? task.start);
+      const {x, y} = task.state === 'RETURNING'
+        ? (task.arm?.place ?? task.goal)
+        : (task.loadAt ?? task.arm?.pick ?? task.start);
       drawLoad(context, viewport.toScreen(x, y), 0, loadHalf(viewport, task), colours);
     }
   }
@@ -50,13 +52,67 @@ export function drawRobots(context, viewport, colours, robots, tasks, poseOf, he
   for (const [robot, pose] of seen) {
     const carried = tasks.find((task) => task.id === robot.task && task.state === 'CARRYING');
     if (carried?.robots.length === 1) {
-      const at = viewport.toScreen(pose.x, pose.y);
+      const at = viewport.toScreen(...handOf(robot, pose));
       drawLoad(context, at, -pose.theta, loadHalf(viewport, carried, robot), colours);
     }
     context.globalAlpha = robot.faint ? 0.25 : 1;
     drawRobot(context, viewport, colours, robot, pose);
+    drawArm(context, viewport, colours, robot, pose);
     context.globalAlpha = 1;
   }
+}
+
+/** Where a point of a frame is on the map. */
+function onMap({x, y, theta}, [along, aside]) {
+  const [cos, sin] = [Math.cos(theta), Math.sin(theta)];
+  return [x + cos * along - sin * aside, y + sin * along + cos * aside];
+}
+
+/** Shoulder, elbow and hand of an arm on the map, metres; null where they are not known. */
+function armPoints({arm}, pose) {
+  if (!arm?.joints || pose.theta === undefined) {
+    return null;
+  }
+  const {shoulder, elbow} = arm.joints;
+  const base = onMap(pose, [arm.base.x, arm.base.y]);
+  const frame = {x: base[0], y: base[1], theta: pose.theta + arm.base.theta};
+  const bend = [arm.upperLink * Math.cos(shoulder), arm.upperLink * Math.sin(shoulder)];
+  const reach = [arm.foreLink * Math.cos(shoulder + elbow), arm.foreLink * Math.sin(shoulder + elbow)];
+  return [base, onMap(frame, bend), onMap(frame, [bend[0] + reach[0], bend[1] + reach[1]])];
+}
+
+/** Where what a robot carries is: in its hand, or on it. */
+function handOf(robot, pose) {
+  return (robot.arm?.load ? armPoints(robot, pose)?.at(-1) : null) ?? [pose.x, pose.y];
+}
+
+/** Draws an arm as its two links, with a dot at each joint and a ring for the hand. */
+function drawArm(context, viewport, colours, robot, pose) {
+  const points = armPoints(robot, pose)?.map(([x, y]) => viewport.toScreen(x, y));
+  if (!points) {
+    return;
+  }
+  context.lineJoin = 'round';
+  context.lineCap = 'round';
+  for (const [colour, width] of [['map-halo', 6], ['map-load-line', 3]]) {
+    context.strokeStyle = colours[colour];
+    context.lineWidth = width;
+    context.beginPath();
+    points.forEach(([x, y]) => context.lineTo(x, y));
+    context.stroke();
+  }
+  context.fillStyle = colours['map-load-line'];
+  for (const [x, y] of points.slice(0, 2)) {
+    context.beginPath();
+    context.arc(x, y, 3, 0, 2 * Math.PI);
+    context.fill();
+  }
+  context.beginPath();
+  context.arc(...points.at(-1), 4, 0, 2 * Math.PI);
+  context.fillStyle = colours['map-halo'];
+  context.fill();
+  context.lineWidth = 2;
+  context.stroke();
 }
 
 /** Pixels from a robot's centre to its edge. */

@@ -5,6 +5,14 @@ import java.util.List;
 import java.util.Objects;
 import java.util.function.Function;
 import org.jspecify.annotations.Nullable;
+import org.toqa.arm.Arm;
+import org.toqa.arm.ArmStep;
+import org.toqa.link.message.AgentMessage.ActEnd;
+import org.toqa.link.message.AgentMessage.ActFailure;
+import org.toqa.link.message.AgentMessage.Acted;
+import org.toqa.link.message.AgentMessage.ArmState;
+import org.toqa.link.message.ServerMessage.Act;
+import org.toqa.link.message.ServerMessage.AckActed;
 import org.toqa.geometry.Pose;
 import org.toqa.geometry.Vec2;
 import org.toqa.link.RobotLink;
@@ -56,6 +64,9 @@ public final class ScriptedRobot {
   private final List<Command> obeyed = new ArrayList<>();
   private Pose pose;
   private int steps;
+  private @Nullable Arm arm;
+  private @Nullable Act act;
+  private @Nullable ActEnd acted;
   private boolean held;
   private RobotLink.@Nullable Listener listener;
   private boolean connected;
@@ -204,6 +215,33 @@ public final class ScriptedRobot {
     condition.lostClears = number;
   }
 
+  /** It has an arm, that acts until {@link #endAct}. */
+  synchronized void setArm(Arm mounted) {
+    arm = mounted;
+  }
+
+  /** What its arm does; null: nothing. */
+  synchronized @Nullable Act act() {
+    return act;
+  }
+
+  /** Its arm ends what it does, and says so until that is acknowledged. */
+  synchronized void endAct(@Nullable ActFailure failure, @Nullable Double weight) {
+    Act ended = Objects.requireNonNull(act);
+    acted =
+        new ActEnd(ended.seq(), ended.task(), ended.phase(), ended.action(), failure, weight);
+    act = null;
+  }
+
+  /** Its daemon is started anew: the arm does not go on by itself. */
+  synchronized void forgetAct() {
+    act = null;
+  }
+
+  synchronized boolean hasUnacknowledgedAct() {
+    return acted != null;
+  }
+
   synchronized void repair() {
     condition.fault = null;
   }
@@ -284,6 +322,9 @@ public final class ScriptedRobot {
     if (done != null) {
       listener.received(done);
     }
+    if (acted != null) {
+      listener.received(Acted.of(acted));
+    }
   }
 
   synchronized boolean isKeepingPlace(long task) {
@@ -318,7 +359,9 @@ public final class ScriptedRobot {
     if (message instanceof Clear && condition.lostClears-- > 0) {
       return;
     }
-    if (message instanceof AckDone ack) {
+    if (message instanceof AckActed(long seq)) {
+      acted = acted != null && acted.act() == seq ? null : acted;
+    } else if (message instanceof AckDone ack) {
       drive.acknowledge(ack);
     } else if (message instanceof Command command) {
       if (message instanceof Ping || command.seq() <= lastSeq) {
@@ -371,6 +414,10 @@ public final class ScriptedRobot {
         formation.follow(f);
         drive.follow(f);
       }
+      case Act a -> {
+        act = a;
+        acted = null;
+      }
       case Hold h -> held = true;
       case Clear c -> {
         condition.fault = null;
@@ -379,6 +426,7 @@ public final class ScriptedRobot {
       }
       case Resume r -> held = false;
       case Drive d -> {
+        acted = null;
         condition.offPath = false;
         drive.start(d);
       }
@@ -439,9 +487,9 @@ public final class ScriptedRobot {
         drive.released(),
         lastSeq,
         null,
-        null,
-        null,
-        null,
+        arm,
+        act == null ? null : act.seq(),
+        acted,
         condition.room);
   }
 
@@ -463,7 +511,10 @@ public final class ScriptedRobot {
         condition.obstacles,
         null,
         null,
-        null,
+        arm == null
+            ? null
+            : new ArmState(
+                arm.rest(), null, act == null ? null : act.seq(), act == null ? null : ArmStep.REACH),
         condition.roomUse,
         condition.faults(formation.stopReason()));
   }

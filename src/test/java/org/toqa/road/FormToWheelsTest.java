@@ -5,11 +5,17 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.net.http.HttpResponse;
 import java.nio.file.Path;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
+import org.toqa.agent.config.ArmConfig;
+import org.toqa.arm.Arm;
+import org.toqa.arm.JointAngles;
+import org.toqa.arm.JointLimits;
 import org.toqa.geometry.Pose;
 import org.toqa.geometry.Vec2;
 import org.toqa.sim.SimulatedRobot;
@@ -45,6 +51,75 @@ class FormToWheelsTest {
           road.await("at the goal", () -> road.distanceTo(GOAL) < AT);
           assertNoJump(road.track());
         });
+  }
+
+  /** The load lies beside the start and shall lie beside the goal; the robot's arm handles it. */
+  @Test
+  void aTaskOfTheFormIsPickedUpAndPutDownByTheArm() throws Exception {
+    Pose start = new Pose(RoadWorld.PARKING.x(), RoadWorld.PARKING.y(), 0);
+    Vec2 pick = new Vec2(RoadWorld.GOODS_OUT.x(), RoadWorld.GOODS_OUT.y() + 0.4);
+    Vec2 place = new Vec2(GOAL.x() + 0.3, GOAL.y() + 0.2);
+    RoadWorld.walk(
+        folder,
+        List.of(
+            new SimulatedRobot(RoadWorld.ROBOT, start, 5, 1).withArm(new ArmConfig(ARM, 1.5)),
+            new SimulatedRobot("r2", new Pose(14.25, 1.05, 0), 5, 1)),
+        road -> {
+          road.api().awaitSnapshot(FormToWheelsTest::areIdle);
+          try (TestClient manager = TestClient.signedIn(road.address(), RoadWorld.MANAGER)) {
+            HttpResponse<String> refused =
+                manager.post("tasks/new", armForm(pick, new Vec2(GOAL.x() + 2, GOAL.y())));
+            assertEquals(422, refused.statusCode());
+            assertTrue(refused.body().contains("it is 1.95 m from the shoulder"), refused::body);
+            HttpResponse<String> answer = manager.post("tasks/new", armForm(pick, place));
+            assertEquals(303, answer.statusCode(), answer.body());
+          }
+          Set<String> steps = new LinkedHashSet<>();
+          road.await(
+              "delivered",
+              () -> {
+                JsonNode robot = road.api().get("robots/" + RoadWorld.ROBOT);
+                JsonNode arm = robot.get("arm");
+                if (!arm.get("step").isNull()) {
+                  steps.add(robot.get("phase").asInt() + " " + arm.get("step").asString());
+                  assertTrue(
+                      Math.min(road.distanceTo(RoadWorld.GOODS_OUT), road.distanceTo(GOAL)) < AT,
+                      "it stands while its arm acts");
+                }
+                String state = road.api().get("tasks/1").get("state").asString();
+                return state.equals("RETURNING") || state.equals("DONE");
+              });
+          assertTrue(steps.contains("1 REACH"), steps::toString);
+          assertTrue(steps.contains("2 FOLD"), steps::toString);
+          JsonNode task = road.api().get("tasks/1");
+          assertEquals(RoadWorld.ROBOT, task.get("robots").get(0).asString());
+          assertTrue(
+              task.get("history").toString().contains("r1 weighed the load: 1.5 kg, and 2 kg"),
+              task::toString);
+        });
+  }
+
+  private static final Arm ARM =
+      new Arm(
+          0.3,
+          0.25,
+          new Pose(0.05, 0, 0),
+          new JointLimits(-2.5, 2.5, 1.5, 4),
+          new JointLimits(-2.8, 2.8, 2, 5),
+          3,
+          new JointAngles(2.2, -2.7));
+
+  private static Map<String, String> armForm(Vec2 pick, Vec2 place) {
+    return Map.of(
+        "name", "Box of bolts",
+        "load", "2",
+        "startStation", "Goods-out",
+        "goalX", String.valueOf(GOAL.x()),
+        "goalY", String.valueOf(GOAL.y()),
+        "pickX", String.valueOf(pick.x()),
+        "pickY", String.valueOf(pick.y()),
+        "placeX", String.valueOf(place.x()),
+        "placeY", String.valueOf(place.y()));
   }
 
   private static boolean areIdle(JsonNode snapshot) {

@@ -31,6 +31,7 @@ import org.toqa.fleet.floor.FloorMessage;
 import org.toqa.geometry.Vec2;
 import org.toqa.grid.FloorMap;
 import org.toqa.grid.OccupancyGrid;
+import org.toqa.mission.ArmHandling;
 import org.toqa.mission.Mission;
 import org.toqa.mission.TransportTask;
 import org.toqa.wording.Sentence;
@@ -144,6 +145,7 @@ final class AllocationRounds {
             .firstJobs(
                 queued ->
                     state.legs.reasonToWait(queued.task()).isEmpty()
+                        && !isWithoutArm(queued.task())
                         && isWorthAsking(
                             queued.task(),
                             queued.task().onlyRobots().isEmpty()
@@ -152,6 +154,7 @@ final class AllocationRounds {
                 DispatchState.TASKS_CONSIDERED)
             .stream()
             .map(rooms::restricted)
+            .map(this::restrictedByArms)
             .toList();
     if (jobs.isEmpty()) {
       reasons.clear();
@@ -249,6 +252,32 @@ final class AllocationRounds {
         || (strongest.free() > 0
             && task.load() > strongest.all()
             && !rooms.isWithoutRoom(task.id()));
+  }
+
+  /** Whether no robot is known whose arm reaches what the task asks: none is asked then. */
+  private boolean isWithoutArm(TransportTask task) {
+    return task.arm() != null
+        && ArmReach.of(state.robotsHere()).able(task, task.arm()).stream().noneMatch(task::allows);
+  }
+
+  /** Where an arm picks the load up, only robots whose arms can have the task. */
+  AllocationTask restrictedByArms(AllocationTask job) {
+    return state
+        .queue
+        .get(job.id())
+        .map(TaskQueue.Queued::task)
+        .map(task -> restrictedByArms(job, task))
+        .orElse(job);
+  }
+
+  AllocationTask restrictedByArms(AllocationTask job, TransportTask task) {
+    ArmHandling arm = task.arm();
+    return arm == null ? job : job.withOnlyRobots(
+                ArmReach.of(state.robotsHere()).able(task, arm).stream()
+                    .filter(task::allows)
+                    .sorted()
+                    .toList())
+            .withStops(job.via(), true);
   }
 
   AllocationProblem problem(

@@ -13,9 +13,16 @@ import org.toqa.mission.TransportTask;
  *
  * @param total of all together, kilograms
  * @param robots those that were reported
+ * @param arms those of the robots that have arms
  * @param maxLoads by name of each robot that was added to the floor, kilograms
  */
-record Capacity(double total, List<Candidate> robots, Map<String, Double> maxLoads) {
+record Capacity(
+    double total, List<Candidate> robots, Map<String, Double> maxLoads, ArmReach arms) {
+
+  /** Of robots without arms. */
+  Capacity(double total, List<Candidate> robots, Map<String, Double> maxLoads) {
+    this(total, robots, maxLoads, ArmReach.NONE);
+  }
 
   /** Whether the robots that may carry the task are strong enough, alone or together. */
   boolean isEnoughFor(TransportTask task) {

@@ -171,7 +171,7 @@ final class DispatchState {
     robotsHere().stream()
         .filter(RobotView::isLoadKnown)
         .forEach(robot -> maxLoads.computeIfPresent(robot.name(), (_, _) -> robot.maxLoad()));
-    return new Capacity(totalCapacity(), candidates(), maxLoads);
+    return new Capacity(totalCapacity(), candidates(), maxLoads, ArmReach.of(robotsHere()));
   }
 
   /** Whether the floor's agent has the task: it has robots, or its load lies there. */

@@ -104,7 +104,11 @@ final class OrderValidator {
     if (places.size() == resolved.size()) {
       samePlace(places).ifPresent(i -> rejections.add(samePlace(order, i)));
       if (rejections.isEmpty()) {
-        return List.of(new Answer.Accepted<>(order.task(places, floor.name(), user, now)));
+        TransportTask task = order.task(places, floor.name(), user, now);
+        rejections.addAll(capacity.arms().objections(task));
+        if (rejections.isEmpty()) {
+          return List.of(new Answer.Accepted<>(task));
+        }
       }
     }
     return rejections;

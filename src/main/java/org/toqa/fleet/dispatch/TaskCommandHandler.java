@@ -231,7 +231,9 @@ final class TaskCommandHandler {
     }
     AllocationProblem problem =
         rounds.problem(
-            List.of(TaskQueue.job(task, task.start(), StopProgress.START)),
+            List.of(
+                rounds.restrictedByArms(
+                    TaskQueue.job(task, task.start(), StopProgress.START), task)),
             List.of(),
             state.candidates());
     var _ =

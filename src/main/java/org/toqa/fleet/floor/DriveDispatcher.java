@@ -29,8 +29,10 @@ final class DriveDispatcher {
 
   private final FloorState state;
   private final FloorMissions missions;
+  private final ArmDispatcher arms;
 
-  DriveDispatcher(FloorState state, FloorMissions missions) {
+  DriveDispatcher(FloorState state, FloorMissions missions, ArmDispatcher arms) {
+    this.arms = arms;
     this.state = state;
     this.missions = missions;
   }
@@ -68,7 +70,8 @@ final class DriveDispatcher {
             || isAwaitingFollowers(robot)
             || isGoalOutdated(robot, goal);
     state.traffic.setMovable(
-        robot.name(), robot.isFit() && !robot.hold.isHeld() && !isStray && !isWaiting);
+        robot.name(),
+        robot.isFit() && !robot.hold.isHeld() && !isStray && !isWaiting && !arms.isActing(robot));
     state.traffic.setDiameter(robot.name(), state.diameter(robot));
     state.traffic.setGoal(
         robot.name(),
@@ -270,6 +273,9 @@ final class DriveDispatcher {
       }
     } else {
       long task = goal.task();
+      if (state.missions.get(task).filter(mission -> arms.begin(robot, mission)).isPresent()) {
+        return;
+      }
       List<String> together =
           state
               .formations

@@ -53,6 +53,7 @@ public final class FloorAgent extends AbstractBehavior<FloorMessage> {
   private final ClearCommandHandler clearCommands;
   private final RobotEventHandler robotEventHandler;
   private final ActorRef<RobotEvent> robotEvents;
+  private final ArmDispatcher arms;
   private final DriveDispatcher drives;
   private final ManualDriveHandler manualDrives;
 
@@ -123,13 +124,14 @@ public final class FloorAgent extends AbstractBehavior<FloorMessage> {
     holds = new HoldDispatcher(state, memory.pause());
     homing = new HomeDispatcher(state);
     charging = new ChargingDispatcher(state, missions, rules.charging(), context.getSelf());
-    robotEventHandler = new RobotEventHandler(state, missions, holds, watch);
+    arms = new ArmDispatcher(state, missions);
+    robotEventHandler = new RobotEventHandler(state, missions, holds, watch, arms);
     operatorCommands =
         new OperatorCommandHandler(
             state, reports, missions, holds, homing, robotEventHandler, context.getSelf());
     clearCommands = new ClearCommandHandler(state, reports, context.getSelf());
     robotEvents = context.messageAdapter(RobotEvent.class, FloorMessage.FromRobot::new);
-    drives = new DriveDispatcher(state, missions);
+    drives = new DriveDispatcher(state, missions, arms);
     manualDrives = new ManualDriveHandler(state, reports, drives);
     for (StoredRobot stored : memory.robots()) {
       startRobot(stored.record(), new OperatorSettings(!stored.outOfService(), stored.held()));

@@ -13,6 +13,7 @@ import org.toqa.fleet.RobotRecord;
 import org.toqa.fleet.RobotState;
 import org.toqa.fleet.RobotView;
 import org.toqa.fleet.robot.RobotMessage;
+import org.toqa.link.message.AgentMessage.ArmState;
 import org.toqa.link.message.AgentMessage.Fault;
 import org.toqa.link.message.AgentMessage.Mode;
 import org.toqa.link.message.AgentMessage.Role;
@@ -48,6 +49,9 @@ final class FloorRobot {
 
   /** Who drives it by hand. */
   final ManualControl manual = new ManualControl();
+
+  /** What its arm was told. */
+  final ArmWork arm = new ArmWork();
 
   /** That it is stopped and has nothing to do. */
   final ConditionTimer idle = new ConditionTimer();
@@ -264,6 +268,10 @@ final class FloorRobot {
     Long task = work.task();
     if (task == null) {
       return Phrase.DRIVES_HOME.with();
+    }
+    ArmState armed = reported.report().readings().arm();
+    if (armed != null && armed.act() != null) {
+      return (work.phase() == Phase.TO_OBJECT ? Phrase.ARM_PICKS_UP : Phrase.ARM_PLACES).with(task);
     }
     return switch (work.phase()) {
       case NONE -> Phrase.DRIVES_HOME.with();

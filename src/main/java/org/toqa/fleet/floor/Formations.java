@@ -9,6 +9,8 @@ import java.util.Optional;
 import java.util.stream.IntStream;
 import org.jspecify.annotations.Nullable;
 import org.toqa.allocation.TeamSize;
+import org.toqa.arm.Arm;
+import org.toqa.arm.ArmStance;
 import org.toqa.fleet.FloorView.HeldLoad;
 import org.toqa.fleet.FloorView.HoldPoint;
 import org.toqa.fleet.RobotCapabilities;
@@ -90,12 +92,31 @@ final class Formations {
   /** What the robot's phase of the mission asks. */
   DriveGoal driveGoal(Mission mission, String robot) {
     DriveGoal goal = DriveGoal.of(mission, robot, state.parkingPoint(robot), share(mission, robot));
+    Optional<Double> facing = headingOfArm(mission, robot, goal.goal());
+    if (facing.isPresent()) {
+      return goal.facing(facing.get());
+    }
     Optional<Formation> formation = of(mission);
     if (goal.phase() != Phase.TO_OBJECT || formation.isEmpty()) {
       return goal;
     }
     Pose place = formation.get().pose(index(mission, robot));
     return new DriveGoal(goal.task(), Phase.TO_OBJECT, place.position(), place.theta(), 0, 0);
+  }
+
+  /** How the robot faces at its goal for its arm; empty where that has nothing to do there. */
+  private Optional<Double> headingOfArm(Mission mission, String robot, Vec2 goal) {
+    FloorRobot known = state.robots.get(robot);
+    Arm arm = known == null ? null : known.reported.capabilities().arm();
+    return arm == null
+        ? Optional.empty()
+        : mission
+            .armTask(robot)
+            .flatMap(
+                task ->
+                    ArmStance.find(arm, goal, task.target()) instanceof ArmStance.Facing facing
+                        ? Optional.of(facing.heading())
+                        : Optional.empty());
   }
 
   /** Kilograms that the robot has of the mission's load. */

@@ -102,7 +102,8 @@ final class ReportedState {
             hello.maxLoad(),
             hello.sensorRange(),
             hello.driveKind(),
-            Math.clamp(hello.track(), 0, hello.footprint()));
+            Math.clamp(hello.track(), 0, hello.footprint()),
+            hello.arm());
     alert = null;
     unreachable = null;
     rejectedChange = null;

@@ -40,9 +40,15 @@ final class RobotEventHandler {
   private final HoldDispatcher holds;
   private final FloorWatch watch;
   private final RoomDispatcher rooms;
+  private final ArmDispatcher arms;
 
   RobotEventHandler(
-      FloorState state, FloorMissions missions, HoldDispatcher holding, FloorWatch watch) {
+      FloorState state,
+      FloorMissions missions,
+      HoldDispatcher holding,
+      FloorWatch watch,
+      ArmDispatcher arms) {
+    this.arms = arms;
     this.state = state;
     this.missions = missions;
     this.holds = holding;
@@ -71,7 +77,7 @@ final class RobotEventHandler {
       }
       case RobotEvent.StateReported m -> stateReported(robot, m.state());
       case RobotEvent.PhaseEnded m -> phaseEnded(robot, m.end());
-      case RobotEvent.Acted m -> robot.agent.tell(new RobotMessage.AcknowledgeAct(m.end().act()));
+      case RobotEvent.Acted m -> arms.ended(robot, m.end());
       case RobotEvent.DriveBegun m -> driveBegun(robot, m.drive());
       case RobotEvent.DriveWithdrawn m -> driveWithdrawn(robot, m.drive());
       case RobotEvent.DriveAccepted m -> driveAccepted(robot, m.drive());
@@ -178,8 +184,12 @@ final class RobotEventHandler {
     if (hello.drive() == 0) {
       storePlace(robot, hello.pose());
     }
+    robot.arm.reconnect(hello.act());
     if (hello.done() != null) {
       phaseEnded(robot, hello.done());
+    }
+    if (hello.acted() != null) {
+      arms.ended(robot, hello.acted());
     }
     cancelForeignTask(robot);
     holds.robotConnected(robot);
@@ -187,6 +197,7 @@ final class RobotEventHandler {
 
   private void stateReported(FloorRobot robot, AgentMessage.State said) {
     robot.reported.setReport(said, state.clock.instant());
+    robot.arm.setRunning(said.arm() == null ? null : said.arm().act());
     recordRefusedConnections(robot);
     recordLastingStops(robot, said);
     RobotEvent.CommandRejected refusal = robot.reported.takeRejectedChange();
@@ -303,12 +314,18 @@ final class RobotEventHandler {
     Optional<Phase> phase = Phase.of(end.phase());
     if (mission.isPresent()
         && phase.isPresent()
-        && (phase.get() == Phase.HOME || state.formations.isAtGoal(mission.get(), robot))) {
+        && (phase.get() == Phase.HOME || state.formations.isAtGoal(mission.get(), robot))
+        && !isForArm(mission.get(), robot)) {
       missions.phaseEnded(
           mission.get().id(), robot.name(), phase.get(), mission.get().stopNumber());
     } // else its drive was changed meanwhile, or the task has ended
     // written in order: acknowledged only when what follows from the flag is safe
     state.writer.write(() -> {}, () -> robot.agent.tell(new RobotMessage.Acknowledge(end.drive())));
+  }
+
+  /** Whether its arm ends the phase, which it is told when it stands there. */
+  private static boolean isForArm(Mission mission, FloorRobot robot) {
+    return mission.armTask(robot.name()).isPresent() && robot.reported.capabilities().arm() != null;
   }
 
   private void driveBegun(FloorRobot robot, StoredDrive drive) {

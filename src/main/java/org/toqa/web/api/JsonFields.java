@@ -15,6 +15,7 @@ import org.jspecify.annotations.Nullable;
 import org.toqa.fleet.TaskOrder.StopOrder;
 import org.toqa.fleet.TaskOrder.Where;
 import org.toqa.geometry.Vec2;
+import org.toqa.mission.ArmHandling;
 import org.toqa.mission.TransportTask.LoadSize;
 import org.toqa.web.Texts;
 import org.toqa.web.input.FieldErrors;
@@ -296,6 +297,29 @@ final class JsonFields implements Fields {
               return read;
             })
         .orElse(null);
+  }
+
+  @Override
+  public @Nullable ArmHandling arm(String name) {
+    return optionalObject(name)
+        .map(
+            arm -> {
+              ArmHandling read = new ArmHandling(arm.point("pick"), arm.point("place"));
+              arm.refuseUnknown();
+              return read;
+            })
+        .orElse(null);
+  }
+
+  /** An object with coordinates. */
+  private Vec2 point(String name) {
+    JsonFields point = object(name);
+    Vec2 read =
+        new Vec2(
+            point.rules().coordinateOfPose(point.path("x"), point.number("x")),
+            point.rules().coordinateOfPose(point.path("y"), point.number("y")));
+    point.refuseUnknown();
+    return read;
   }
 
   @Override

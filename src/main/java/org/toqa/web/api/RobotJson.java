@@ -4,11 +4,15 @@ import java.time.Instant;
 import java.util.List;
 import java.util.Objects;
 import org.jspecify.annotations.Nullable;
+import org.toqa.arm.Arm;
+import org.toqa.arm.ArmStep;
+import org.toqa.arm.JointAngles;
 import org.toqa.fleet.RobotRecord;
 import org.toqa.fleet.RobotState;
 import org.toqa.fleet.RobotView;
 import org.toqa.geometry.Pose;
 import org.toqa.geometry.Vec2;
+import org.toqa.link.message.AgentMessage.ArmState;
 import org.toqa.link.message.AgentMessage.Fault;
 import org.toqa.wording.Sentence;
 
@@ -43,6 +47,7 @@ public record RobotJson(
     List<Double> ranges,
     @Nullable Double placeError,
     @Nullable Double measuredLoad,
+    @Nullable ArmJson arm,
     double sensorRange,
     @Nullable Double toldLoad,
     String link,
@@ -72,6 +77,38 @@ public record RobotJson(
 
     private static double rounded(double value) {
       return Math.round(1000 * value) / 1000.0;
+    }
+  }
+
+  /**
+   * An arm of two links: metres, kilograms, radians.
+   *
+   * @param base its shoulder, in the robot's frame
+   * @param joints null: not known now
+   * @param load in its hand; null: nothing
+   * @param step of what it does; null: it does nothing
+   */
+  private record ArmJson(
+      double upperLink,
+      double foreLink,
+      Pose base,
+      double maxLoad,
+      @Nullable JointAngles joints,
+      @Nullable Double load,
+      @Nullable ArmStep step) {
+    static @Nullable ArmJson of(RobotView view) {
+      Arm arm = view.capabilities().arm();
+      ArmState now = view.telemetry().readings().arm();
+      return arm == null
+          ? null
+          : new ArmJson(
+              arm.upperLink(),
+              arm.foreLink(),
+              arm.base(),
+              arm.maxLoad(),
+              now == null ? null : now.joints(),
+              now == null ? null : now.load(),
+              now == null ? null : now.step());
     }
   }
 
@@ -110,6 +147,7 @@ public record RobotJson(
         seen.readings().ranges(),
         seen.readings().placeError(),
         seen.readings().measuredLoad(),
+        ArmJson.of(view),
         view.capabilities().sensorRange(),
         view.capabilities().isLoadKnown() ? view.capabilities().maxLoad() : null,
         stored.isHttp() ? "http" : "toqa",

@@ -8,6 +8,7 @@ import org.jspecify.annotations.Nullable;
 import org.toqa.fleet.EventRecord;
 import org.toqa.fleet.NegotiationEntry;
 import org.toqa.fleet.TaskView;
+import org.toqa.mission.ArmHandling;
 import org.toqa.mission.OrderPart;
 import org.toqa.mission.Question;
 import org.toqa.mission.StopState;
@@ -20,6 +21,7 @@ import org.toqa.wording.Sentence;
  * A task on the wire.
  *
  * @param load kilograms
+ * @param arm null: no arm picks it up
  * @param loadAt where the load is if that is neither its start nor its goal
  * @param blocked whether it waits for what will not come by itself
  * @param order which part of an order it is
@@ -39,6 +41,7 @@ public record TaskJson(
     int priority,
     @Nullable Instant deadline,
     TransportTask.@Nullable LoadSize size,
+    @Nullable ArmHandling arm,
     String user,
     Instant createdAt,
     Instant changedAt,
@@ -146,6 +149,7 @@ public record TaskJson(
         task.priority(),
         task.deadline(),
         task.size(),
+        task.arm(),
         task.user(),
         task.createdAt(),
         view.changedAt(),

@@ -5,6 +5,7 @@ import java.util.List;
 import org.jspecify.annotations.Nullable;
 import org.toqa.fleet.TaskOrder.StopOrder;
 import org.toqa.fleet.TaskOrder.Where;
+import org.toqa.mission.ArmHandling;
 import org.toqa.mission.TransportTask.LoadSize;
 import org.toqa.web.Texts;
 
@@ -60,6 +61,11 @@ public interface Fields {
 
   /** Both sides, or null where neither is given. */
   @Nullable LoadSize size(String name);
+
+  /** Both places, or null where neither is given. */
+  default @Nullable ArmHandling arm(String name) {
+    return null;
+  }
 
   Texts texts();
 

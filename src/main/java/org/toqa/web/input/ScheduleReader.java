@@ -94,6 +94,9 @@ public final class ScheduleReader {
     if (order.deadline() != null) {
       fields.errors().add(task.path("deadline"), fields.texts().get("error.schedule.deadline"));
     }
+    if (order.arm() != null) {
+      fields.errors().add(task.path("arm"), fields.texts().get("error.schedule.arm"));
+    }
     return new ScheduleOrder(order, recurrence, until);
   }
 

@@ -84,12 +84,20 @@ public final class TaskOrderReader {
     if (further.isEmpty() && !hasWaits) {
       return pieces;
     }
+    refuseArm(fields, order);
     if (pieces.tasks().size() > 1) {
       fields.errors().add("pieces", fields.texts().get("error.piecesOrStops"));
     }
     return hasWaits || "one".equals(fields.text("carriedBy"))
         ? new PartsOrder(order.name(), OrderPart.Kind.STOPS, List.of(order.along(way)))
         : legs(fields, order, way.stream().map(StopOrder::where).toList());
+  }
+
+  /** An arm handles a load at its start and at its goal alone. */
+  private static void refuseArm(Fields fields, TaskOrder order) {
+    if (order.arm() != null) {
+      fields.errors().add(fields.path("arm"), fields.texts().get("error.arm.stops"));
+    }
   }
 
   private static PartsOrder pieces(Fields fields, TaskOrder piece) {
@@ -103,6 +111,7 @@ public final class TaskOrderReader {
    */
   private static PartsOrder legs(Fields fields, TaskOrder order, List<Where> stops) {
     fields.refuseUnknown();
+    refuseArm(fields, order);
     List<TaskOrder> legs =
         IntStream.range(1, stops.size())
             .mapToObj(i -> order.between(stops.get(i - 1), stops.get(i)))
@@ -136,6 +145,7 @@ public final class TaskOrderReader {
       }
     }
     fields.refuseUnknown();
+    refuseArm(fields, order);
     return stops.isEmpty() ? order : order.along(stops);
   }
 
@@ -156,6 +166,7 @@ public final class TaskOrderReader {
         deadlineRule.apply(fields.moment("deadline", "error.deadline")),
         fields.size("size"),
         rules.robotNames(fields.path("onlyRobots"), fields.choices("onlyRobots")),
-        List.of());
+        List.of(),
+        fields.arm("arm"));
   }
 }

@@ -8,10 +8,12 @@ import java.time.ZoneId;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.IntStream;
+import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 import org.toqa.fleet.TaskOrder.StopOrder;
 import org.toqa.fleet.TaskOrder.Where;
 import org.toqa.geometry.Vec2;
+import org.toqa.mission.ArmHandling;
 import org.toqa.mission.TransportTask.LoadSize;
 import org.toqa.web.Texts;
 import org.toqa.web.input.Digits;
@@ -149,6 +151,20 @@ final class FormFields implements Fields {
   public @Nullable LoadSize size(String name) {
     boolean isGiven = text("length") != null || text("width") != null;
     return isGiven ? rules().size(name, number("length", name), number("width", name)) : null;
+  }
+
+  @Override
+  public @Nullable ArmHandling arm(String name) {
+    boolean isGiven =
+        Stream.of("pickX", "pickY", "placeX", "placeY").anyMatch(field -> text(field) != null);
+    return isGiven ? new ArmHandling(point("pick", name), point("place", name)) : null;
+  }
+
+  private Vec2 point(String name, String arm) {
+    String shownAt = arm + "." + name;
+    return new Vec2(
+        rules().coordinateOfPose(shownAt, number(name + "X", shownAt)),
+        rules().coordinateOfPose(shownAt, number(name + "Y", shownAt)));
   }
 
   @Override

@@ -10,6 +10,7 @@ import java.net.InetAddress;
 import java.net.ServerSocket;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Objects;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -150,9 +151,10 @@ class AgentConfigTest {
     ArmConfig explained = AgentConfig.read(file(shipped)).arm();
     assertEquals(usual, explained);
     ArmConfig own =
-        AgentConfig.read(
+        Objects.requireNonNull(
+            AgentConfig.read(
                 file(withArm("{upperLink: 0.4, elbow: {least: 0, most: 90}, boxWeight: 1.5}")))
-            .arm();
+            .arm());
     assertEquals(0.4, own.arm().upperLink());
     assertEquals(Math.PI / 2, own.arm().elbow().most(), 1e-12);
     assertEquals(0, own.arm().rest().elbow(), "the nearest to the usual one");
