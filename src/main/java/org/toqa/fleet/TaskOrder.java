@@ -108,9 +108,7 @@ public record TaskOrder(
             0, name, load, from, to, resolvedFloor, priority, deadline, size, user, now)
         .withOnlyRobots(onlyRobots)
         .withStops(
-            IntStream.range(0, stops.size())
-                .mapToObj(i -> stops.get(i).at(places.get(i)))
-                .toList())
+            IntStream.range(0, stops.size()).mapToObj(i -> stops.get(i).at(places.get(i))).toList())
         .withArm(arm);
   }
 

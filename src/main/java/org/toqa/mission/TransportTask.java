@@ -100,7 +100,10 @@ public record TransportTask(
         user,
         owner,
         createdAt,
-        part, onlyRobots, stops, arm);
+        part,
+        onlyRobots,
+        stops,
+        arm);
   }
 
   /** The same, of that user. */
@@ -118,13 +121,17 @@ public record TransportTask(
         newUser,
         newOwner,
         createdAt,
-        part, onlyRobots, stops, arm);
+        part,
+        onlyRobots,
+        stops,
+        arm);
   }
 
   /** The same, that only these robots may carry; empty: whichever there are. */
   public TransportTask withOnlyRobots(List<String> robots) {
     return new TransportTask(
-        id, name, load, start, goal, floor, priority, deadline, size, user, owner, createdAt, part, robots, stops, arm);
+        id, name, load, start, goal, floor, priority, deadline, size, user, owner, createdAt, part,
+        robots, stops, arm);
   }
 
   /**
@@ -134,8 +141,22 @@ public record TransportTask(
    */
   public TransportTask withStops(List<Stop> way) {
     return new TransportTask(
-        id, name, load, start, goal, floor, priority, deadline, size, user, owner, createdAt, part,
-        onlyRobots, way, arm);
+        id,
+        name,
+        load,
+        start,
+        goal,
+        floor,
+        priority,
+        deadline,
+        size,
+        user,
+        owner,
+        createdAt,
+        part,
+        onlyRobots,
+        way,
+        arm);
   }
 
   /** All of its way, the start first and the goal last. */
@@ -162,15 +183,43 @@ public record TransportTask(
 
   private TransportTask between(TaskPlace from, TaskPlace to) {
     return new TransportTask(
-        id, name, load, from, to, floor, priority, deadline, size, user, owner, createdAt, part,
-        onlyRobots, List.of(), arm);
+        id,
+        name,
+        load,
+        from,
+        to,
+        floor,
+        priority,
+        deadline,
+        size,
+        user,
+        owner,
+        createdAt,
+        part,
+        onlyRobots,
+        List.of(),
+        arm);
   }
 
   /** The same with that handling of its load. */
   public TransportTask withArm(@Nullable ArmHandling handling) {
     return new TransportTask(
-        id, name, load, start, goal, floor, priority, deadline, size, user, owner, createdAt, part,
-        onlyRobots, stops, handling);
+        id,
+        name,
+        load,
+        start,
+        goal,
+        floor,
+        priority,
+        deadline,
+        size,
+        user,
+        owner,
+        createdAt,
+        part,
+        onlyRobots,
+        stops,
+        handling);
   }
 
   /** The same as that part of an order. */
@@ -188,7 +237,10 @@ public record TransportTask(
         user,
         owner,
         createdAt,
-        changed, onlyRobots, stops, arm);
+        changed,
+        onlyRobots,
+        stops,
+        arm);
   }
 
   /** Whether the robot may carry it, alone or with others. */
@@ -257,6 +309,9 @@ public record TransportTask(
         user,
         owner,
         createdAt,
-        part, onlyRobots, stops, arm);
+        part,
+        onlyRobots,
+        stops,
+        arm);
   }
 }

@@ -7,17 +7,15 @@ import java.util.function.Function;
 import org.jspecify.annotations.Nullable;
 import org.toqa.arm.Arm;
 import org.toqa.arm.ArmStep;
-import org.toqa.link.message.AgentMessage.ActEnd;
-import org.toqa.link.message.AgentMessage.ActFailure;
-import org.toqa.link.message.AgentMessage.Acted;
-import org.toqa.link.message.AgentMessage.ArmState;
-import org.toqa.link.message.ServerMessage.Act;
-import org.toqa.link.message.ServerMessage.AckActed;
 import org.toqa.geometry.Pose;
 import org.toqa.geometry.Vec2;
 import org.toqa.link.RobotLink;
 import org.toqa.link.message.AgentMessage;
 import org.toqa.link.message.AgentMessage.Ack;
+import org.toqa.link.message.AgentMessage.ActEnd;
+import org.toqa.link.message.AgentMessage.ActFailure;
+import org.toqa.link.message.AgentMessage.Acted;
+import org.toqa.link.message.AgentMessage.ArmState;
 import org.toqa.link.message.AgentMessage.Done;
 import org.toqa.link.message.AgentMessage.Fault;
 import org.toqa.link.message.AgentMessage.Hello;
@@ -27,7 +25,9 @@ import org.toqa.link.message.AgentMessage.RoomUse;
 import org.toqa.link.message.AgentMessage.Speed;
 import org.toqa.link.message.AgentMessage.State;
 import org.toqa.link.message.ServerMessage;
+import org.toqa.link.message.ServerMessage.AckActed;
 import org.toqa.link.message.ServerMessage.AckDone;
+import org.toqa.link.message.ServerMessage.Act;
 import org.toqa.link.message.ServerMessage.Cancel;
 import org.toqa.link.message.ServerMessage.Clear;
 import org.toqa.link.message.ServerMessage.Command;
@@ -228,8 +228,7 @@ public final class ScriptedRobot {
   /** Its arm ends what it does, and says so until that is acknowledged. */
   synchronized void endAct(@Nullable ActFailure failure, @Nullable Double weight) {
     Act ended = Objects.requireNonNull(act);
-    acted =
-        new ActEnd(ended.seq(), ended.task(), ended.phase(), ended.action(), failure, weight);
+    acted = new ActEnd(ended.seq(), ended.task(), ended.phase(), ended.action(), failure, weight);
     act = null;
   }
 
@@ -514,7 +513,10 @@ public final class ScriptedRobot {
         arm == null
             ? null
             : new ArmState(
-                arm.rest(), null, act == null ? null : act.seq(), act == null ? null : ArmStep.REACH),
+                arm.rest(),
+                null,
+                act == null ? null : act.seq(),
+                act == null ? null : ArmStep.REACH),
         condition.roomUse,
         condition.faults(formation.stopReason()));
   }

@@ -272,7 +272,9 @@ final class AllocationRounds {
 
   AllocationTask restrictedByArms(AllocationTask job, TransportTask task) {
     ArmHandling arm = task.arm();
-    return arm == null ? job : job.withOnlyRobots(
+    return arm == null
+        ? job
+        : job.withOnlyRobots(
                 ArmReach.of(state.robotsHere()).able(task, arm).stream()
                     .filter(task::allows)
                     .sorted()

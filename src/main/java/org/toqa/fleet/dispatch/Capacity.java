@@ -16,8 +16,7 @@ import org.toqa.mission.TransportTask;
  * @param arms those of the robots that have arms
  * @param maxLoads by name of each robot that was added to the floor, kilograms
  */
-record Capacity(
-    double total, List<Candidate> robots, Map<String, Double> maxLoads, ArmReach arms) {
+record Capacity(double total, List<Candidate> robots, Map<String, Double> maxLoads, ArmReach arms) {
 
   /** Of robots without arms. */
   Capacity(double total, List<Candidate> robots, Map<String, Double> maxLoads) {

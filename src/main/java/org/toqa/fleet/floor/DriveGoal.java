@@ -17,12 +17,7 @@ import org.toqa.mission.Phase;
  * @param stop the number, from 0, of the mission's stop that it is; 0 too where it is none
  */
 record DriveGoal(
-    @Nullable Long task,
-    Phase phase,
-    Vec2 goal,
-    @Nullable Double heading,
-    double load,
-    int stop) {
+    @Nullable Long task, Phase phase, Vec2 goal, @Nullable Double heading, double load, int stop) {
 
   /** The same, with that heading. */
   DriveGoal facing(double radians) {

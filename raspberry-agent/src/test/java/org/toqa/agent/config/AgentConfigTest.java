@@ -153,8 +153,8 @@ class AgentConfigTest {
     ArmConfig own =
         Objects.requireNonNull(
             AgentConfig.read(
-                file(withArm("{upperLink: 0.4, elbow: {least: 0, most: 90}, boxWeight: 1.5}")))
-            .arm());
+                    file(withArm("{upperLink: 0.4, elbow: {least: 0, most: 90}, boxWeight: 1.5}")))
+                .arm());
     assertEquals(0.4, own.arm().upperLink());
     assertEquals(Math.PI / 2, own.arm().elbow().most(), 1e-12);
     assertEquals(0, own.arm().rest().elbow(), "the nearest to the usual one");
