@@ -35,7 +35,6 @@ public record RobotCapabilities(
     this(footprint, speeds, maxLoad, sensorRange, kind, track, null);
   }
 
-
   /** Assumed of a robot that was never heard of: the smallest diameter of ours, any load. */
   public static final RobotCapabilities UNKNOWN =
       new RobotCapabilities(0.255, DriveSpeeds.DEFAULT, Double.MAX_VALUE, 0.8, DriveKind.OMNI);

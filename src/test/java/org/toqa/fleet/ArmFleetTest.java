@@ -59,7 +59,12 @@ class ArmFleetTest extends HallFleetTest {
         new Where.Station("West"),
         new Where.Station("East"),
         null,
-        0, null, null, List.of(), List.of(), arm);
+        0,
+        null,
+        null,
+        List.of(),
+        List.of(),
+        arm);
   }
 
   private long submitForArm() throws Exception {
@@ -244,7 +249,12 @@ class ArmFleetTest extends HallFleetTest {
             new Where.Station("East"),
             new Where.Station("West"),
             null,
-            0, null, null, List.of(), List.of(), new ArmHandling(HANDLING.place(), HANDLING.pick()));
+            0,
+            null,
+            null,
+            List.of(),
+            List.of(),
+            new ArmHandling(HANDLING.place(), HANDLING.pick()));
     assertEquals(List.of("r1"), accepted(stage.fleet.preview(back, "Clara")).chosen());
     long task = submit(back);
     until(view -> !task(view, task).robots().isEmpty());

@@ -153,8 +153,7 @@ public final class NewTaskPage extends PageHandler {
       case KeyedAnswer.KeyReused<TaskView>() ->
           acceptedValue(
               request,
-              atFormField(
-                  FleetAnswers.await(services(request).fleet().submit(order, user.name()))),
+              atFormField(FleetAnswers.await(services(request).fleet().submit(order, user.name()))),
               errors);
     };
   }

@@ -176,14 +176,10 @@ public final class UserPage extends PageHandler {
     request.setAttribute("scopes", Scope.values());
     request.setAttribute("sessions", services.sessions().sessions(user.id()));
     if (Caller.of(request).isManager()) {
-      UserDeletion deletion =
-          new UserDeletion(services, Texts.of(request), new FieldErrors(), now);
+      UserDeletion deletion = new UserDeletion(services, Texts.of(request), new FieldErrors(), now);
       request.setAttribute("belongings", deletion.belongings());
       request.setAttribute(
-          "heirs",
-          services.accounts().accounts().stream()
-              .filter(deletion::mayInherit)
-              .toList());
+          "heirs", services.accounts().accounts().stream().filter(deletion::mayInherit).toList());
     }
   }
 

@@ -14,10 +14,7 @@ class PathDeviationTest {
   private static final Drive.OpenSection SECTION =
       new Drive.OpenSection(
           new Pose(0, 0, 0),
-          List.of(
-              new Segment(0.25, 0, 4),
-              new Segment(0, 0.5, Math.PI),
-              new Segment(0.25, 0, 4)));
+          List.of(new Segment(0.25, 0, 4), new Segment(0, 0.5, Math.PI), new Segment(0.25, 0, 4)));
 
   @Test
   void aRobotBesideAStraightIsSoFarToItsLeft() {

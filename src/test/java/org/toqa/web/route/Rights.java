@@ -14,8 +14,8 @@ import org.toqa.web.TestClient;
 public final class Rights {
   /**
    * Who may do what, written by hand: a method, a path, and the status for a client that is not
-   * signed in, a viewer, a clerk, an operator, a manager, an administrator, and one who looks at another site. Each sends
-   * an order without fields, for what does not exist.
+   * signed in, a viewer, a clerk, an operator, a manager, an administrator, and one who looks at
+   * another site. Each sends an order without fields, for what does not exist.
    */
   private static final Path FILE = Path.of("src/test/resources/web/rights.txt");
 
