@@ -40,6 +40,7 @@ import org.toqa.wording.Sentence;
 class ManualDriveTest {
   /** Robots that are driven by hand report each step: faster, the link would pass reports over. */
   private static final double SPEED = 20;
+
   private static final double SIZE = 0.3;
   private static final Duration RENEWED_EVERY = Duration.ofMillis(100);
 

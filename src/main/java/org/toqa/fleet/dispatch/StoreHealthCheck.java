@@ -17,8 +17,8 @@ import org.toqa.wording.Phrase;
 import org.toqa.wording.Sentence;
 
 /**
- * Asks the store every two seconds, on a thread of its own, whether it is there. When it is back the
- * history gets from when to when it was not.
+ * Asks the store every two seconds, on a thread of its own, whether it is there. When it is back
+ * the history gets from when to when it was not.
  */
 public final class StoreHealthCheck implements AutoCloseable {
   /** What people are told while it is not. */

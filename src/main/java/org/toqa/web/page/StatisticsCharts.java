@@ -84,9 +84,7 @@ final class StatisticsCharts {
   private Chart failures() {
     return series(
         "failures",
-        failureKinds()
-            .map(failure -> new Column(failure.name(), Shape.BAR, Unit.COUNT))
-            .toList(),
+        failureKinds().map(failure -> new Column(failure.name(), Shape.BAR, Unit.COUNT)).toList(),
         f ->
             failureKinds()
                 .map(failure -> f.failures().getOrDefault(failure, 0L).doubleValue())

@@ -105,8 +105,7 @@ class FailedServerTest {
   }
 
   private static int told(Path data, String kind) {
-    EventArchive.Filter ended =
-        new EventArchive.Filter(null, null, null, kind, null, null, false);
+    EventArchive.Filter ended = new EventArchive.Filter(null, null, null, kind, null, null, false);
     try (Database database = Database.open(Database.fileUrl(data.resolve("toqa")), "", "")) {
       return new JdbiEventArchive(database.jdbi()).events(ended, Long.MAX_VALUE, 10).size();
     }
