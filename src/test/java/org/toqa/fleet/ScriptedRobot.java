@@ -86,9 +86,6 @@ public final class ScriptedRobot {
     condition.obstacles = List.of(points);
   }
 
-  /**
-   * @param share of 0 to 1
-   */
   /** It sees that on its path, and could pass it with room beside that. */
   synchronized void wantRoom(Vec2... seen) {
     setObstacles(seen);
@@ -110,6 +107,9 @@ public final class ScriptedRobot {
     condition.refusesRoom = true;
   }
 
+  /**
+   * @param share of 0 to 1
+   */
   synchronized void setBattery(double share) {
     condition.battery = share;
   }

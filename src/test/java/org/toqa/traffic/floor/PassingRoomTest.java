@@ -1,5 +1,6 @@
 package org.toqa.traffic.floor;
 
+import static java.util.Objects.requireNonNull;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertNull;
@@ -50,7 +51,7 @@ class PassingRoomTest {
     assertTrue(floor.traffic.lendRoom("a", List.of(ahead(floor, 0.9, 0.03)), floor.now));
     floor.step();
 
-    PassingRoom room = floor.body("a").room;
+    PassingRoom room = requireNonNull(floor.body("a").room);
     assertEquals(0, room.left());
     // 0.1275 + 0.09 - 0.03 = 0.1875, and 0.1 to spare
     assertEquals(0.2875, room.right(), 1e-9);
@@ -77,7 +78,7 @@ class PassingRoomTest {
     assertTrue(floor.traffic.lendRoom("a", List.of(ahead(floor, 0.9, -0.02)), floor.now));
     floor.step();
 
-    assertTrue(floor.body("a").room.left() == 0, floor.body("a").room.toString());
+    assertEquals(0, requireNonNull(floor.body("a").room).left());
     floor.drive(Duration.ofMinutes(2));
     assertTrue(floor.isArrived("a"), floor.reasons().toString());
   }
@@ -108,7 +109,7 @@ class PassingRoomTest {
     DrivenFloor floor = driving(HALL);
     assertTrue(floor.traffic.lendRoom("a", List.of(ahead(floor, 0.9, 0)), floor.now));
     floor.step();
-    PassingRoom room = floor.body("a").room;
+    PassingRoom room = requireNonNull(floor.body("a").room);
     floor.lose("a");
     floor.body("a").isStuck = true;
     double middle = (room.left() - room.right()) / 2;
@@ -137,11 +138,11 @@ class PassingRoomTest {
         "a",
         body.place(),
         body.diameter,
-        body.trajectory,
+        requireNonNull(body.trajectory),
         body.completed,
         body.released,
         restarted.now);
-    restarted.traffic.adoptRoom("a", body.room);
+    restarted.traffic.adoptRoom("a", requireNonNull(body.room));
 
     assertEquals(floor.traffic.allocatedCells("a"), restarted.traffic.allocatedCells("a"));
     restarted.traffic.reportStanding("a", body.place(), body.diameter, restarted.now);
