@@ -53,19 +53,22 @@
           <small id="${end}-help"><bdi><c:out value="${errors[end]}"/></bdi></small>
         </fieldset>
       </c:forTokens>
-      <details class="stops" ${not empty param.pickX or not empty param.pickY or not empty param.placeX or not empty param.placeY or not empty errors.arm or not empty errors['arm.pick'] or not empty errors['arm.place'] ? 'open' : ''}>
-        <summary><fmt:message key="newTask.arm"/></summary>
-        <p class="faint"><c:choose><c:when test="${not empty errors.arm}"><bdi class="wrong"><c:out value="${errors.arm}"/></bdi></c:when><c:otherwise><fmt:message key="newTask.arm.hint"/></c:otherwise></c:choose></p>
-        <c:forTokens items="pick,place" delims="," var="end">
-          <c:set var="error" value="${errors['arm.' += end]}"/>
-          <fieldset class="place" ${not empty error ? 'aria-invalid="true"' : ''}>
-            <legend><fmt:message key="newTask.arm.${end}"/></legend>
-            <div><label for="${end}X"><fmt:message key="newTask.x"/></label><input id="${end}X" name="${end}X" inputmode="decimal" dir="ltr" autocomplete="off" value="${fn:escapeXml(param[end += 'X'])}" aria-describedby="${end}-help"></div>
-            <div><label for="${end}Y"><fmt:message key="newTask.y"/></label><input id="${end}Y" name="${end}Y" inputmode="decimal" dir="ltr" autocomplete="off" value="${fn:escapeXml(param[end += 'Y'])}" aria-describedby="${end}-help"></div>
-            <small id="${end}-help"><bdi><c:out value="${error}"/></bdi></small>
-          </fieldset>
-        </c:forTokens>
-      </details>
+      <c:set var="usesArm" value="${not empty param.pickX or not empty param.pickY or not empty param.placeX or not empty param.placeY or not empty errors.arm or not empty errors['arm.pick'] or not empty errors['arm.place']}"/>
+      <c:if test="${hasArms or usesArm}">
+        <details class="stops" ${usesArm ? 'open' : ''}>
+          <summary><fmt:message key="newTask.arm"/></summary>
+          <p class="faint"><c:choose><c:when test="${not empty errors.arm}"><bdi class="wrong"><c:out value="${errors.arm}"/></bdi></c:when><c:otherwise><fmt:message key="newTask.arm.hint"/></c:otherwise></c:choose></p>
+          <c:forTokens items="pick,place" delims="," var="end">
+            <c:set var="error" value="${errors['arm.' += end]}"/>
+            <fieldset class="place" ${not empty error ? 'aria-invalid="true"' : ''}>
+              <legend><fmt:message key="newTask.arm.${end}"/></legend>
+              <div><label for="${end}X"><fmt:message key="newTask.x"/></label><input id="${end}X" name="${end}X" inputmode="decimal" dir="ltr" autocomplete="off" value="${fn:escapeXml(param[end += 'X'])}" aria-describedby="${end}-help"></div>
+              <div><label for="${end}Y"><fmt:message key="newTask.y"/></label><input id="${end}Y" name="${end}Y" inputmode="decimal" dir="ltr" autocomplete="off" value="${fn:escapeXml(param[end += 'Y'])}" aria-describedby="${end}-help"></div>
+              <small id="${end}-help"><bdi><c:out value="${error}"/></bdi></small>
+            </fieldset>
+          </c:forTokens>
+        </details>
+      </c:if>
       <c:if test="${not edits}">
         <c:set var="chosenStops" value=""/>
         <c:forEach items="${paramValues.stopStation}" var="given"><c:set var="chosenStops" value="${chosenStops}${given}"/></c:forEach>

@@ -126,6 +126,7 @@ public final class TaskOrderReader {
     }
     TaskOrder order =
         read(fields, () -> fields.place("start"), () -> fields.place("goal"), deadlineRule);
+    fields.stops("stops", TaskOrder.MAX_STOPS); // none, but it is known
     fields.refuseUnknown();
     return order;
   }

@@ -191,11 +191,12 @@ public final class NewTaskPage extends PageHandler {
             .orElseGet(floors::getFirst);
     request.setAttribute("weekdays", DayOfWeek.values());
     request.setAttribute("floor", floor);
-    request.setAttribute(
-        "robots",
+    List<RobotView> robots =
         services(request).fleet().snapshots().latest().robots().stream()
             .filter(robot -> robot.floor().equals(floor.name()))
-            .map(RobotView::name)
-            .toList());
+            .toList();
+    request.setAttribute("robots", robots.stream().map(RobotView::name).toList());
+    request.setAttribute(
+        "hasArms", robots.stream().anyMatch(robot -> robot.capabilities().arm() != null));
   }
 }

@@ -222,7 +222,7 @@ class ImportTest {
       textBlock =
           """
           load     | -1               | The weight must be above 0
-          load     | 1e999            | The weight must be above 0
+          load     | 1e999            | Enter a number, such as 2.5
           load     | 2,5              | Enter a number, such as 2.5
           load     | =1+1             | Enter a number, such as 2.5
           priority | 1.5              | The priority is a whole number
