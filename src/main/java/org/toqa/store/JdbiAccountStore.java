@@ -287,7 +287,7 @@ public final class JdbiAccountStore implements AccountStore {
   }
 
   private static int managerCount(Handle handle) {
-    return count(handle, "role <> 'CLERK'");
+    return count(handle, "role in ('MANAGER', 'ADMINISTRATOR')");
   }
 
   /** Of those who can sign in. */

@@ -21,6 +21,7 @@ import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Spec;
+import picocli.CommandLine.UnmatchedArgumentException;
 
 /** The command line of a robot's daemon. */
 @Command(name = "agent", description = "Run the daemon of a robot until it is stopped.")
@@ -68,7 +69,11 @@ public final class Main implements Callable<Integer> {
   }
 
   private static int printError(ParameterException e) {
-    String sentence = String.valueOf(e.getMessage()).lines().findFirst().orElse("");
+    String sentence =
+        e instanceof UnmatchedArgumentException unknown
+            ? "\"%s\" is not known; there are --config, --pair and --example"
+                .formatted(unknown.getUnmatched().getFirst())
+            : String.valueOf(e.getMessage()).lines().findFirst().orElse("");
     e.getCommandLine().getErr().println(sentence + " (./toqa agent --help lists what there is)");
     return WRONG_CONFIGURATION;
   }

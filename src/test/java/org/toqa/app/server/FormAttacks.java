@@ -327,7 +327,7 @@ final class FormAttacks {
         .map(route -> route.path())
         .filter(path -> !path.contains("*") && !path.contains("{language}"))
         .filter(path -> !path.equals("/first-start"))
-        .map(path -> run.filled(path).substring(1))
+        .map(path -> run.filled(path.replace("{topic}", "tasks")).substring(1))
         .forEach(pages::add);
     return pages;
   }

@@ -21,7 +21,12 @@ import org.toqa.web.WebTestServer;
 final class OrderCases {
   private static final String TASK =
       """
-      {"name":"Box","load":2,"start":{"station":"Goods-in 1"},"goal":{"station":"Mill"}}\
+      {"name":"Box","load":2,"start":{"station":"Goods-in 1"},"goal":{"station":"Mill"},"onlyRobots":["r1"]}\
+      """;
+
+  private static final String TOUR =
+      """
+      {"name":"Box","load":2,"stops":[{"station":"Goods-in 1"},{"station":"Mill","waitSeconds":9}]}\
       """;
 
   private static final String DRAWING =
@@ -60,7 +65,10 @@ final class OrderCases {
             Map.of("/secret", GONE, "/password", PASSWORD),
             204),
         post("tasks", TASK, task(""), 201),
+        post("tasks", TOUR, Map.of("/stops/0/station", REFUSED), 201),
         post("tasks/preview", TASK, task(""), 200),
+        post("tasks/preview", TOUR, Map.of("/stops/0/station", REFUSED), 200),
+        new OrderCase("PUT", "tasks/{waiting}", TOUR, Map.of("/stops/0/station", REFUSED), 200),
         new OrderCase("PUT", "tasks/{waiting}", TASK, task(""), 200),
         post("tasks/{held}/cancel", "{'load':null}", Map.of("/load", REFUSED), 200),
         post(
@@ -71,7 +79,7 @@ final class OrderCases {
         post("tasks/{held}/answer", "{'answer':'wait'}", Map.of("/answer", REFUSED), 409),
         post(
             "orders",
-            "{'name':'Box','load':2,'pieces':2,'start':{'station':'Goods-in 1'},'goal':{'station':'Mill'}}",
+            "{'name':'Box','load':2,'pieces':2,'start':{'station':'Goods-in 1'},'goal':{'station':'Mill'},'onlyRobots':['r1']}",
             task(""),
             201),
         post(
@@ -89,6 +97,11 @@ final class OrderCases {
             "schedules",
             "{'task':" + TASK + ",'from':'2099-01-01T10:00:00Z','everyMinutes':60}",
             and(task("/task"), Map.of("/from", REFUSED)),
+            201),
+        post(
+            "schedules",
+            "{'task':" + TOUR + ",'from':'2099-01-01T10:00:00Z','everyMinutes':60}",
+            Map.of("/task/stops/0/station", REFUSED),
             201),
         post(
             "schedules",
@@ -132,6 +145,16 @@ final class OrderCases {
             422),
         post(
             "robots/{name}/clear", "{'reasons':['STOP_SWITCH']}", Map.of("/reasons/0", TAKEN), 409),
+        post(
+            "robots/{name}/drive",
+            "{'lease':null,'number':1,'v':0,'w':0}",
+            Map.of("/lease", REFUSED),
+            409),
+        post(
+            "laboratory/runs", // none is begun
+            "{'experiment':'csm-budget','runs':0}",
+            Map.of("/experiment", REFUSED),
+            422),
         new OrderCase("PUT", "notices/settings", noticeSettings(), noticeWords(), 200),
         post(
             "webhooks",
@@ -231,7 +254,8 @@ final class OrderCases {
         at + "/start/station", REFUSED,
         at + "/goal/station", REFUSED,
         at + "/floor", REFUSED,
-        at + "/deadline", REFUSED);
+        at + "/deadline", REFUSED,
+        at + "/onlyRobots/0", REFUSED);
   }
 
   private static OrderCase post(String path, String body, Map<String, Verdict> attacked, int good) {

@@ -281,6 +281,7 @@ class SitesTest {
       wanted.put("{floor}", floor.replace(" ", "%20"));
       wanted.put("{name}", SECRET + "-robot");
       wanted.put("{reading}", "range");
+      wanted.put("{topic}", "tasks");
       wanted.put("{session}", "1");
       wanted.put("{site}", "main");
     }

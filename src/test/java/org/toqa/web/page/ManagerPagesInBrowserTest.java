@@ -110,6 +110,11 @@ class ManagerPagesInBrowserTest extends PagesInBrowser {
     assertThat(page.locator("#service details")).hasCount(0);
     click(page.locator("#service button"));
     assertThat(page.locator("#service details")).hasCount(1);
+    server
+        .fleet()
+        .changeFloor(
+            Views.floor(
+                "hall", null, CellRuns.NONE, Map.of(), List.of(), List.of(), List.of(), null));
     page.navigate(server.root() + "map");
     assertThat(page.locator("#floors button")).hasCount(1);
     assertFits(page, "operator-" + language, DESK, PHONE);

@@ -38,7 +38,7 @@ class AgentConfigTest {
     assertEquals(7275, config.port());
     assertEquals(new MotionLimits(0.5, 3.5, 0.5, 3), config.limits());
     assertEquals(
-        new ChassisConfig.Simulated(new Pose(1, 1, 0), SimulatedBattery.FULL, 0.01, 1, 1),
+        new ChassisConfig.Simulated(new Pose(13.35, 3, 0), SimulatedBattery.FULL, 0.01, 1, 1),
         config.chassis());
   }
 
