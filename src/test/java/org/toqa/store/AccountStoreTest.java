@@ -365,8 +365,8 @@ class AccountStoreTest {
   void theLastManagerWhoMayLogInStaysOne() {
     long boss = accounts.add("boss", "hash", Role.MANAGER, "boss").orElseThrow().id();
     long second = accounts.add("second", "hash", Role.MANAGER, "boss").orElseThrow().id();
-    accounts.add("keeper", "hash", Role.OPERATOR, "boss").orElseThrow();
-    accounts.add("guest", "hash", Role.VIEWER, "boss").orElseThrow();
+    assertTrue(accounts.add("keeper", "hash", Role.OPERATOR, "boss").isPresent());
+    assertTrue(accounts.add("guest", "hash", Role.VIEWER, "boss").isPresent());
 
     assertEquals(
         AccountStore.ChangeResult.DONE, accounts.update(second, Role.MANAGER, true, "boss"));
