@@ -83,7 +83,7 @@ class BuildingDemoIT extends BrowserTest {
       button(page, "Drive by hand").click();
       assertThat(page.locator("#hand-says")).containsText("works on task");
       page.waitForCondition(
-          () -> "IDLE".equals(page.locator(".heading .state").getAttribute("data-state")),
+          () -> isFree(page, root + "api/v1/robots/r2"),
           new Page.WaitForConditionOptions().setTimeout(180_000));
 
       button(page, "Drive by hand").click();
@@ -103,6 +103,12 @@ class BuildingDemoIT extends BrowserTest {
     assertEquals(
         List.of(),
         complaints().stream().filter(c -> !c.startsWith("Failed to load resource")).toList());
+  }
+
+  /** Has parked, and has no task; at a place where it loads it stands idle too. */
+  private static boolean isFree(Page page, String robot) {
+    JsonNode now = JsonMapper.builder().build().readTree(page.request().get(robot).text());
+    return now.get("state").asString().equals("IDLE") && now.get("task").isNull();
   }
 
   private static Locator button(Page page, String name) {
