@@ -44,8 +44,14 @@ final class FormCases {
                     "zone",
                     "when",
                     "pieces",
-                    "stopStation"),
+                    "stopStation",
+                    "onlyRobots"),
                 Map.of("name", NAME_OF_100, "idempotencyKey", TAKEN))),
+        FormCase.of(
+            "tasks/new",
+            "/tasks/new",
+            and(ORDER, Map.of("startWait", "person", "stopStation", "Store A", "stopWait", "60")),
+            and(refused("startWait", "goalWait", "stopWait"), Map.of("carriedBy", TAKEN))),
         FormCase.of(
             "tasks/new",
             "/tasks/new",
@@ -79,7 +85,8 @@ final class FormCases {
                     "length",
                     "width",
                     "deadline",
-                    "zone"),
+                    "zone",
+                    "onlyRobots"),
                 Map.of("name", NAME_OF_100, "version", CONFLICT))),
         FormCase.of(
             "tasks/{waiting}/edit",
@@ -118,6 +125,13 @@ final class FormCases {
                 Map.of("name", "{floor}", "width", "3", "height", "3", "resolution", "1"),
                 and(refused("width", "height", "resolution"), Map.of("file", TAKEN)))
             .answeredWith(422), // that name is taken
+        FormCase.of("settings", "/settings/log-level", Map.of(), refused("logLevel")),
+        FormCase.of(
+                "laboratory",
+                "/laboratory",
+                Map.of("runs", "0"),
+                refused("experiment", "seed", "runs"))
+            .answeredWith(422), // none is begun
         FormCase.of("schedules", "/schedules/{id}/delete", Map.of(), Map.of("version", CONFLICT)),
         FormCase.of(
             "robots",
@@ -285,7 +299,12 @@ final class FormCases {
             .answeredWith(200),
         FormCase.of("statistics", "/statistics", Map.of(), refused("from", "to", "zone", "floor"))
             .answeredWith(200),
-        FormCase.of("robots", "/robots", Map.of(), refused("floor")).answeredWith(200),
+        FormCase.of(
+                "robots",
+                "/robots",
+                Map.of(),
+                and(refused("floor", "state"), Map.of("text", TAKEN)))
+            .answeredWith(200),
         FormCase.of("loads", "/loads", Map.of(), refused("floor")).answeredWith(200),
         FormCase.of("schedules", "/schedules", Map.of(), refused("floor")).answeredWith(200));
   }
