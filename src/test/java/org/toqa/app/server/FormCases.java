@@ -125,7 +125,8 @@ final class FormCases {
                 Map.of("name", "{floor}", "width", "3", "height", "3", "resolution", "1"),
                 and(refused("width", "height", "resolution"), Map.of("file", TAKEN)))
             .answeredWith(422), // that name is taken
-        FormCase.of("settings", "/settings/log-level", Map.of(), refused("logLevel")),
+        FormCase.of(
+            "settings", "/settings/log-level", Map.of("logLevel", "INFO"), refused("logLevel")),
         FormCase.of(
                 "laboratory",
                 "/laboratory",
