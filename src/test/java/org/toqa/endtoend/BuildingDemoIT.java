@@ -6,13 +6,16 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import com.microsoft.playwright.Locator;
 import com.microsoft.playwright.Page;
 import com.microsoft.playwright.options.AriaRole;
+import java.net.URI;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.regex.Pattern;
+import java.util.stream.StreamSupport;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.toqa.testbed.ApiClient;
 import org.toqa.testbed.BrowserTest;
 import org.toqa.testbed.ToqaProcess;
 import tools.jackson.databind.JsonNode;
@@ -49,7 +52,7 @@ class BuildingDemoIT extends BrowserTest {
   }
 
   @Test
-  void aRobotIsWatchedAndStoppedOnItsControlPageAndNotDrivenByHandAtWork() throws Exception {
+  void aRobotIsWatchedStoppedAndDrivenByHandOnItsControlPage() throws Exception {
     Page page = page();
     page.setViewportSize(390, 844);
     try (ToqaProcess demo =
@@ -82,10 +85,35 @@ class BuildingDemoIT extends BrowserTest {
       // no hand while it has a task
       button(page, "Drive by hand").click();
       assertThat(page.locator("#hand-says")).containsText("works on task");
+      try (ApiClient api = new ApiClient(URI.create(root), "demo", "demo-robots")) {
+        api.awaitSnapshot(BuildingDemoIT::isSecondRobotFree);
+      }
+
+      button(page, "Drive by hand").click();
+      String before = page.locator("#pose").textContent();
+      Locator left = button(page, "Turn left");
+      left.hover();
+      page.mouse().down();
+      assertThat(page.locator("#pose")).not().hasText(before);
+      assertThat(page.locator(".heading .state")).hasText("Driving");
+      assertThat(page.locator("main")).containsText("demo drives it by hand");
+      page.mouse().up();
+      assertThat(page.locator(".heading .state")).hasText("Idle");
+      button(page, "Stop driving by hand").click();
+      page.navigate(root + "history?robot=r2");
+      assertThat(page.locator("main")).containsText("demo stopped driving r2 by hand");
     }
     assertEquals(
         List.of(),
         complaints().stream().filter(c -> !c.startsWith("Failed to load resource")).toList());
+  }
+
+  /** It has parked, and has no task; where it loads it stands idle too. */
+  private static boolean isSecondRobotFree(JsonNode snapshot) {
+    return StreamSupport.stream(snapshot.get("robots").spliterator(), false)
+        .filter(robot -> robot.get("name").asString().equals("r2"))
+        .anyMatch(
+            robot -> robot.get("state").asString().equals("IDLE") && robot.get("task").isNull());
   }
 
   private static Locator button(Page page, String name) {
