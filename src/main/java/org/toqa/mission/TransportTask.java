@@ -85,53 +85,34 @@ public record TransportTask(
         List.of(), List.of(), null);
   }
 
+  private TransportTask copy(
+      long newId,
+      TaskPlace newStart,
+      TaskPlace newGoal,
+      String newUser,
+      @Nullable Long newOwner,
+      @Nullable OrderPart newPart,
+      List<String> robots,
+      List<Stop> way,
+      @Nullable ArmHandling handling) {
+    return new TransportTask(
+        newId, name, load, newStart, newGoal, floor, priority, deadline, size, newUser, newOwner,
+        createdAt, newPart, robots, way, handling);
+  }
+
   /** The same with the id that the store gave it. */
   public TransportTask withId(long stored) {
-    return new TransportTask(
-        stored,
-        name,
-        load,
-        start,
-        goal,
-        floor,
-        priority,
-        deadline,
-        size,
-        user,
-        owner,
-        createdAt,
-        part,
-        onlyRobots,
-        stops,
-        arm);
+    return copy(stored, start, goal, user, owner, part, onlyRobots, stops, arm);
   }
 
   /** The same, of that user. */
   public TransportTask withOwner(String newUser, @Nullable Long newOwner) {
-    return new TransportTask(
-        id,
-        name,
-        load,
-        start,
-        goal,
-        floor,
-        priority,
-        deadline,
-        size,
-        newUser,
-        newOwner,
-        createdAt,
-        part,
-        onlyRobots,
-        stops,
-        arm);
+    return copy(id, start, goal, newUser, newOwner, part, onlyRobots, stops, arm);
   }
 
   /** The same, that only these robots may carry; empty: whichever there are. */
   public TransportTask withOnlyRobots(List<String> robots) {
-    return new TransportTask(
-        id, name, load, start, goal, floor, priority, deadline, size, user, owner, createdAt, part,
-        robots, stops, arm);
+    return copy(id, start, goal, user, owner, part, robots, stops, arm);
   }
 
   /**
@@ -140,23 +121,7 @@ public record TransportTask(
    * @param way the start first and the goal last; empty: from start to goal
    */
   public TransportTask withStops(List<Stop> way) {
-    return new TransportTask(
-        id,
-        name,
-        load,
-        start,
-        goal,
-        floor,
-        priority,
-        deadline,
-        size,
-        user,
-        owner,
-        createdAt,
-        part,
-        onlyRobots,
-        way,
-        arm);
+    return copy(id, start, goal, user, owner, part, onlyRobots, way, arm);
   }
 
   /** All of its way, the start first and the goal last. */
@@ -182,65 +147,17 @@ public record TransportTask(
   }
 
   private TransportTask between(TaskPlace from, TaskPlace to) {
-    return new TransportTask(
-        id,
-        name,
-        load,
-        from,
-        to,
-        floor,
-        priority,
-        deadline,
-        size,
-        user,
-        owner,
-        createdAt,
-        part,
-        onlyRobots,
-        List.of(),
-        arm);
+    return copy(id, from, to, user, owner, part, onlyRobots, List.of(), arm);
   }
 
   /** The same with that handling of its load. */
   public TransportTask withArm(@Nullable ArmHandling handling) {
-    return new TransportTask(
-        id,
-        name,
-        load,
-        start,
-        goal,
-        floor,
-        priority,
-        deadline,
-        size,
-        user,
-        owner,
-        createdAt,
-        part,
-        onlyRobots,
-        stops,
-        handling);
+    return copy(id, start, goal, user, owner, part, onlyRobots, stops, handling);
   }
 
   /** The same as that part of an order. */
   public TransportTask withPart(@Nullable OrderPart changed) {
-    return new TransportTask(
-        id,
-        name,
-        load,
-        start,
-        goal,
-        floor,
-        priority,
-        deadline,
-        size,
-        user,
-        owner,
-        createdAt,
-        changed,
-        onlyRobots,
-        stops,
-        arm);
+    return copy(id, start, goal, user, owner, changed, onlyRobots, stops, arm);
   }
 
   /** Whether the robot may carry it, alone or with others. */

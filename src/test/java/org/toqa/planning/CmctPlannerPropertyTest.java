@@ -80,7 +80,7 @@ class CmctPlannerPropertyTest {
   }
 
   @Property
-  void isTheShortestWhereNothingIsInTheWay(@ForAll("empty") Query query) {
+  void pathIsTheShortestWhereNothingIsInTheWay(@ForAll("empty") Query query) {
     assertEquals(shortest(query).orElseThrow(), assertArrives(query).orElseThrow(), 1e-9);
   }
 

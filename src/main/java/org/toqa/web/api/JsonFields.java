@@ -189,9 +189,10 @@ final class JsonFields implements Fields {
                     : refuseType(name, "error.type.object"));
   }
 
-  /** Also where it is null. */
+  /** Also where it is null. Who asks for it knows it: {@link #refuseUnknown} does not refuse it. */
   @Override
   public boolean has(String name) {
+    known.add(name);
     return object.has(name);
   }
 
@@ -246,7 +247,7 @@ final class JsonFields implements Fields {
       place.refuseUnknown();
       return new Where.Point(position);
     }
-    if (station == null || place.has("x") || place.has("y")) {
+    if (station == null || place.object.has("x") || place.object.has("y")) {
       errors.add(path(name), texts.get("error.place.missing", name));
     } else {
       place.refuseUnknown();

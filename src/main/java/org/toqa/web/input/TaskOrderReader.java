@@ -57,7 +57,6 @@ public final class TaskOrderReader {
       fields.errors().add(fields.path("stops"), fields.texts().get("error.stops.few"));
     }
     if (fields.has("pieces")) {
-      fields.number("pieces"); // it is known, and wrong here
       fields.errors().add(fields.path("pieces"), fields.texts().get("error.piecesOrStops"));
     }
     Where start = stops.isEmpty() ? NOWHERE : stops.getFirst();
@@ -126,7 +125,6 @@ public final class TaskOrderReader {
     }
     TaskOrder order =
         read(fields, () -> fields.place("start"), () -> fields.place("goal"), deadlineRule);
-    fields.stops("stops", TaskOrder.MAX_STOPS); // none, but it is known
     fields.refuseUnknown();
     return order;
   }

@@ -92,7 +92,7 @@ class CmctWalkTest {
 
   /** A* with the same moves is between the walk and the exact shortest; all three find a path. */
   @Property(tries = 300)
-  void isNeverShorterThanTheShortest(
+  void walkIsNeverShorterThanTheShortest(
       @ForAll long seed, @ForAll @DoubleRange(min = 0, max = 0.4) double density) {
     Random random = new Random(seed);
     BitSet occupied = new BitSet();
