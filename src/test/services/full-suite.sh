@@ -23,7 +23,7 @@ Runs the full test suite, and says at its end how much it did of each kind.
 
   --long    as much as the documents state: 1,000 generated floors of each kind, a million fuzzed
             inputs of each target, 200 runs with crashes, 100 examples for each route of the API,
-            forty times the tries of each property, the walk over all pages with pictures, all from a
+            eighty times the tries of each property, all attacks in each field, the walk over all pages with pictures, all from a
             new seed, which it prints; without it a sample from seed 1
   --seed N  begins from this seed: the same seed tries the same
 
@@ -65,12 +65,12 @@ done
 case $tier in
   long)
     seed=${seed:-$(($(od -An -N4 -tu4 /dev/urandom) % 1000000000))}
-    size="-Dtoqa.floors=1000 -Dtoqa.crashes=200 -Dtoqa.tries=40"
-    size="$size -Dtoqa.fuzz.inputs=1000000 -Dtoqa.fuzz.examples=100 -Dtoqa.walk=whole"
+    size="-Dtoqa.floors=1000 -Dtoqa.crashes=200 -Dtoqa.tries=80"
+    size="$size -Dtoqa.fuzz.inputs=1000000 -Dtoqa.fuzz.examples=100 -Dtoqa.walk=whole -Dtoqa.attacks=whole"
     ;;
   sample)
     seed=${seed:-1}
-    size="-Dtoqa.floors=10 -Dtoqa.crashes=8 -Dtoqa.tries=1"
+    size="-Dtoqa.floors=6 -Dtoqa.crashes=5 -Dtoqa.tries=1"
     size="$size -Dtoqa.fuzz.inputs=10000 -Dtoqa.fuzz.examples=2"
     ;;
 esac

@@ -32,7 +32,8 @@ import tools.jackson.databind.JsonNode;
  *
  * <p>{@code -Dtoqa.schemathesis} is the program; {@code -Dtoqa.fuzz.examples=100} for more than the
  * usual 3 a route beside those that the document itself suggests, {@code -Dtoqa.seed=2} for other
- * ones. Leaves out the live events, which do not end.
+ * ones. What the document suggests is tried by a manager; {@code -Dtoqa.attacks=whole} by
+ * everybody. Leaves out the live events, which do not end.
  */
 @Tag("full")
 @TestMethodOrder(OrderAnnotation.class)
@@ -42,6 +43,11 @@ class ApiFuzzIT {
   private static final String CLERK = "clerk";
   private static final String CLERKS_PASSWORD = "clerk-of-robots";
   private static final Duration LIMIT = Duration.ofMinutes(30);
+
+  private static final List<String> PHASES =
+      "whole".equals(System.getProperty("toqa.attacks"))
+          ? List.of()
+          : List.of("--phases", "fuzzing");
 
   private static final String ENDS_SESSIONS = "/session$|/sessions/|/users/.id.$";
 
@@ -70,27 +76,29 @@ class ApiFuzzIT {
   @Test
   @Order(1)
   void anonymousClientFindsNoFault() throws Exception {
-    assertFindsNothing();
+    assertFindsNothing(PHASES);
   }
 
   @Test
   @Order(2)
   void aClerkFindsNoFault() throws Exception {
     try (ApiClient clerk = new ApiClient(server.root(), CLERK, CLERKS_PASSWORD)) {
-      assertFindsNothing("-H", bearer(clerk), "--exclude-path-regex", ENDS_SESSIONS);
+      assertFindsNothing(PHASES, "-H", bearer(clerk), "--exclude-path-regex", ENDS_SESSIONS);
     }
   }
 
   @Test
   @Order(3)
   void aManagerFindsNoFault() throws Exception {
-    assertFindsNothing("-H", bearer(server.api()), "--exclude-path-regex", ENDS_SESSIONS);
+    assertFindsNothing(
+        List.of(), "-H", bearer(server.api()), "--exclude-path-regex", ENDS_SESSIONS);
   }
 
   @Test
   @Order(4)
   void aManagerWhoseSessionEndsFindsNoFault() throws Exception {
-    assertFindsNothing("-H", bearer(server.api()), "--include-path-regex", ENDS_SESSIONS);
+    assertFindsNothing(
+        List.of(), "-H", bearer(server.api()), "--include-path-regex", ENDS_SESSIONS);
   }
 
   @Test
@@ -106,12 +114,13 @@ class ApiFuzzIT {
     return "Authorization: Bearer " + user.token();
   }
 
-  private static void assertFindsNothing(String... choice) throws Exception {
+  private static void assertFindsNothing(List<String> phases, String... choice) throws Exception {
     Path settings =
         Path.of("src/test/resources/org/toqa/endtoend/schemathesis.toml").toAbsolutePath();
     List<String> command = new ArrayList<>(List.of(PROGRAM, "--config-file", settings.toString()));
     command.addAll(List.of("run", copyOfTheDocument(), "--url", server.root().toString()));
     command.addAll(List.of("--seed", "" + FuzzRun.SEED, "-n", "" + EXAMPLES));
+    command.addAll(phases);
     command.addAll(List.of(choice));
     try (ToqaProcess fuzzer = ToqaProcess.command(folder, command.toArray(String[]::new))) {
       int exitCode = fuzzer.exitCode(LIMIT);

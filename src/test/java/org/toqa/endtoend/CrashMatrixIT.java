@@ -31,14 +31,14 @@ import org.toqa.testbed.Tally;
  */
 @Tag("full")
 class CrashMatrixIT {
-  private static final int RUNS = Integer.getInteger("toqa.crashes", 8);
+  private static final int RUNS = Integer.getInteger("toqa.crashes", 5);
   private static final int FROM = Integer.getInteger("toqa.seed", 1);
 
   /** Such as {@code carl task 7: phase 2 is done}. */
   private static final Pattern DELIVERY = Pattern.compile("(\\S+) task (\\d+): phase 2 is done");
 
   /** Two of the robots have nothing but their odometry, and would miss a charger some day. */
-  private static final int RUNS_OF_A_SITE = 8;
+  private static final int RUNS_OF_A_SITE = 5;
 
   @TempDir private static Path folder;
   private static CrashTestbed testbed;

@@ -12,7 +12,9 @@ import org.toqa.endtoend.Work.Kind;
  * @param imported begins at the moment of the first fault
  */
 record CrashPlan(int seed, List<Work> first, Work imported, List<Step> steps) {
-  /** Each has its turn in as many runs, one after the other. */
+  private static final int FAULTS = 3;
+
+  /** Each has its turn in three runs. */
   private static final List<Kind> BEFORE =
       List.of(
           Kind.TASK_HOLD,
@@ -36,7 +38,7 @@ record CrashPlan(int seed, List<Work> first, Work imported, List<Step> steps) {
 
   static CrashPlan of(int seed) {
     Random random = new Random(seed);
-    List<Fault> faults = Fault.random(random);
+    List<Fault> faults = Fault.random(FAULTS, random);
     List<Work> first =
         List.of(Work.random(Kind.DELIVERY, random), Work.random(Kind.TEAM_DELIVERY, random));
     Work imported = Work.random(Kind.IMPORT, random);
@@ -44,7 +46,7 @@ record CrashPlan(int seed, List<Work> first, Work imported, List<Step> steps) {
     for (Fault fault : faults) {
       steps.add(
           new Step(
-              Work.random(BEFORE.get((seed + steps.size()) % BEFORE.size()), random),
+              Work.random(BEFORE.get((FAULTS * seed + steps.size()) % BEFORE.size()), random),
               fault,
               Work.random(DURING.get(random.nextInt(DURING.size())), random)));
     }

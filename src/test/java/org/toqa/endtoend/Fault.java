@@ -41,10 +41,9 @@ record Fault(Kind kind, int victim, int delayMillis, int durationMillis, int byt
   private static final Set<Kind> SERVER_IS_DEAD =
       EnumSet.of(Kind.SERVER_KILLED, Kind.ALL_KILLED, Kind.SERVER_KILLED_WHILE_DATABASE_SILENT);
 
-  /** One, two or three of them. */
-  static List<Fault> random(RandomGenerator random) {
+  static List<Fault> random(int number, RandomGenerator random) {
     List<Fault> cuts = new ArrayList<>();
-    for (int i = random.nextInt(3); i >= 0; i--) {
+    for (int i = 0; i < number; i++) {
       cuts.add(
           new Fault(
               Kind.values()[random.nextInt(Kind.values().length)],

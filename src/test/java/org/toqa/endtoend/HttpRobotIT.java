@@ -87,7 +87,7 @@ class HttpRobotIT {
   }
 
   private ToqaProcess robot(int port) throws Exception {
-    return ToqaProcess.toqa(
+    return ToqaProcess.program(
         folder,
         "http-robot",
         "--port",

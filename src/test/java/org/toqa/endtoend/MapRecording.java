@@ -7,8 +7,12 @@ import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Base64;
+import org.toqa.testbed.BrowserTest;
 
-/** What the live map draws, as a WebM film that the browser itself makes. */
+/**
+ * What the live map draws: how far each text on it moves and, in a whole walk, a WebM film that the
+ * browser itself makes.
+ */
 final class MapRecording implements AutoCloseable {
   private static final Path SCRIPT = Path.of("src/test/resources/org/toqa/endtoend/film.js");
 
@@ -41,9 +45,12 @@ final class MapRecording implements AutoCloseable {
     }
   }
 
-  /** From here on it is filmed. The map must be shown. */
+  /** From here on it is noted. The map must be shown. */
   void start() {
-    page.evaluate("beginFilm(document.querySelector('#map'))");
+    page.evaluate(
+        BrowserTest.IS_WHOLE_WALK
+            ? "beginFilm(document.querySelector('#map'))"
+            : "beginFilm(null)");
   }
 
   /** Pixels that a text on the map has gone since the film began. */

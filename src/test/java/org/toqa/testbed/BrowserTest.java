@@ -34,6 +34,12 @@ import org.junit.jupiter.api.extension.ExtendWith;
 @ExtendWith(SteadyNetwork.class)
 @TestInstance(TestInstance.Lifecycle.PER_CLASS)
 public abstract class BrowserTest {
+  /**
+   * {@code -Dtoqa.walk=whole}: with pictures and films, by which nothing is decided, and with the
+   * same looks at each page in each language.
+   */
+  public static final boolean IS_WHOLE_WALK = "whole".equals(System.getProperty("toqa.walk"));
+
   /** Ends a test that would wait for ever; no machine that works is so slow. */
   private static final int PATIENCE_MS = 60_000;
 

@@ -59,6 +59,13 @@ public final class ToqaProcess implements AutoCloseable {
     return start(folder, CACHE, variables, command);
   }
 
+  /** Any command of the server's program, without the launcher. */
+  public static ToqaProcess program(Path folder, String... arguments) throws IOException {
+    List<String> command = new ArrayList<>(CachedProgram.server(CACHE));
+    command.addAll(List.of(arguments));
+    return start(folder, CACHE, Map.of(), command);
+  }
+
   /** A robot's daemon, without the launcher. */
   public static ToqaProcess agent(Path folder, String... arguments) throws IOException {
     List<String> command = new ArrayList<>(CachedProgram.agent(CACHE));

@@ -1,4 +1,4 @@
-// Put into a page before it opens: films the live map, and notes how far each text on it moves.
+// Put into a page before it opens: notes how far each text on the live map moves, and films it.
 {
   const PERIOD = 100; // milliseconds between two pictures
   const CHUNK = 1_000; // milliseconds of film that are kept at once
@@ -28,8 +28,13 @@
       reader.readAsDataURL(blob);
     });
 
+  /** Notes from here on how far texts go; with a map it is filmed. */
   window.beginFilm = (map) => {
     places = new Map();
+    window.endFilm = () => {};
+    if (map === null) {
+      return;
+    }
     const picture = document.createElement('canvas');
     picture.width = map.width;
     picture.height = map.height;

@@ -11,7 +11,7 @@ import org.toqa.testbed.ToqaProcess;
 import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.json.JsonMapper;
 
-/** {@code ./toqa bench fleet}, as a user types it. */
+/** {@code ./toqa bench fleet}. */
 @Tag("full")
 class FleetBenchIT {
   @TempDir private Path folder;
@@ -19,7 +19,7 @@ class FleetBenchIT {
   @Test
   void aFleetIsMeasured() throws Exception {
     try (ToqaProcess bench =
-        ToqaProcess.toqa(
+        ToqaProcess.program(
             folder, "bench", "fleet", "--robots", "3", "--warm-up", "5", "--seconds", "5")) {
       assertEquals(0, bench.exitCode());
       JsonNode json = JsonMapper.shared().readTree(bench.out().getFirst());
@@ -41,7 +41,7 @@ class FleetBenchIT {
   @Test
   void paceThatIsTooSlowFails() throws Exception {
     try (ToqaProcess bench =
-        ToqaProcess.toqa(
+        ToqaProcess.program(
             folder,
             "bench",
             "fleet",

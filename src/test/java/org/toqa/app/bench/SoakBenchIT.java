@@ -11,7 +11,7 @@ import org.toqa.testbed.ToqaProcess;
 import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.json.JsonMapper;
 
-/** {@code ./toqa bench soak}, as a user types it. */
+/** {@code ./toqa bench soak}. */
 @Tag("full")
 class SoakBenchIT {
   @TempDir private Path folder;
@@ -19,7 +19,7 @@ class SoakBenchIT {
   @Test
   void minutesOfWorkAreMeasured() throws Exception {
     try (ToqaProcess bench =
-        ToqaProcess.toqa(folder, "bench", "soak", "--hours", "0.05", "--robots", "3")) {
+        ToqaProcess.program(folder, "bench", "soak", "--hours", "0.05", "--robots", "3")) {
       assertEquals(0, bench.exitCode());
       JsonNode json = JsonMapper.shared().readTree(bench.out().getFirst());
       assertEquals(0.05, json.get("hours").asDouble(), 0.01, json::toString);

@@ -13,7 +13,7 @@ import org.toqa.testbed.ToqaProcess;
 import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.json.JsonMapper;
 
-/** {@code ./toqa bench web}, as a user types it. */
+/** {@code ./toqa bench web}. */
 @Tag("full")
 @ExtendWith(SteadyNetwork.class)
 class WebBenchIT {
@@ -22,7 +22,7 @@ class WebBenchIT {
   @Test
   void pagesAndTheWholeWayOfPosesAreMeasured() throws Exception {
     try (ToqaProcess bench =
-        ToqaProcess.toqa(
+        ToqaProcess.program(
             folder,
             "bench",
             "web",

@@ -15,9 +15,10 @@ import org.toqa.testbed.Tally;
 
 /**
  * Wherever somebody gives the server a word he gives it every attack, with all else as it should
- * be, while the fleet carries tasks; each attack has the one right answer. Forged forms are in
- * {@code AccessTest}, planted sessions and guessed passwords in {@code LoginTest}, very many
- * connections in {@code CrowdTest}.
+ * be, while the fleet carries tasks; each attack has the one right answer. A sample gives each word
+ * a third of the attacks, {@code -Dtoqa.attacks=whole} all. Forged forms are in {@code AccessTest},
+ * planted sessions and guessed passwords in {@code LoginTest}, very many connections in {@code
+ * CrowdTest}.
  */
 @Tag("full")
 @TestInstance(TestInstance.Lifecycle.PER_CLASS)
@@ -45,7 +46,7 @@ class AttacksTest {
     int before = run.tried();
     forms.attack();
     run.assertNoFaults();
-    assertTrue(run.tried() - before > 1000, "only " + (run.tried() - before) + " attacks");
+    assertTrue(run.tried() - before > 400, "only " + (run.tried() - before) + " attacks");
     forms.readPages();
     run.assertNoFaults();
   }
@@ -60,7 +61,7 @@ class AttacksTest {
     int before = run.tried();
     new OrderAttacks(run).attack();
     run.assertNoFaults();
-    assertTrue(run.tried() - before > 800, "only " + (run.tried() - before) + " attacks");
+    assertTrue(run.tried() - before > 300, "only " + (run.tried() - before) + " attacks");
   }
 
   @Test
@@ -73,7 +74,7 @@ class AttacksTest {
     int before = run.tried();
     new QueryAttacks(run).attack();
     run.assertNoFaults();
-    assertTrue(run.tried() - before > 600, "only " + (run.tried() - before) + " attacks");
+    assertTrue(run.tried() - before > 200, "only " + (run.tried() - before) + " attacks");
   }
 
   @Test

@@ -115,7 +115,7 @@ final class QueryAttacks {
             (path, parameters) ->
                 parameters.forEach(
                     (parameter, verdict) -> {
-                      for (Attack attack : Attack.values()) {
+                      for (Attack attack : run.nextAttacks()) {
                         TestClient client =
                             List.of("/", "/reset").contains(path) ? stranger : run.manager();
                         send(client, path, parameter, attack, expected(verdict, attack));

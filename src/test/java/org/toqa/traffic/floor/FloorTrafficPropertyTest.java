@@ -33,7 +33,7 @@ class FloorTrafficPropertyTest {
    * Random floors with one-cell aisles, dead ends and crossings: every robot reaches three goals in
    * turn; {@link DrivenFloor} sees to it that none ever touch.
    */
-  @Property(tries = 25, seed = "20261121")
+  @Property(tries = 13, seed = "20261121")
   void onRandomFloorsEveryRobotArrives(@ForAll @LongRange(min = 0) long seed) {
     floors.count(driveToThreeGoals(seed));
   }
@@ -111,7 +111,7 @@ class FloorTrafficPropertyTest {
   }
 
   /** Robots that were stopped anywhere go on from there: off the middle, in any heading. */
-  @Property(tries = 15, seed = "20261121")
+  @Property(tries = 8, seed = "20261121")
   void fromWhereverItStandsARobotArrives(@ForAll @LongRange(min = 0) long seed) {
     floors.count(driveFromAnywhere(seed));
   }
@@ -180,7 +180,7 @@ class FloorTrafficPropertyTest {
   }
 
   /** Floors whose cells are far smaller than a robot, which may be anywhere, and of any size. */
-  @Property(tries = 5, seed = "20261121")
+  @Property(tries = 3, seed = "20261121")
   void onFineMapsEveryRobotArrives(@ForAll @LongRange(min = 0) long seed) {
     floors.count(driveOnAFineMap(seed));
   }
@@ -226,7 +226,7 @@ class FloorTrafficPropertyTest {
   }
 
   /** Goals change while all drive; robots stop for a while and go on, and some are lost. */
-  @Property(tries = 10, seed = "20261121")
+  @Property(tries = 5, seed = "20261121")
   void newGoalsStopsAndLossesDisturbNothing(@ForAll @LongRange(min = 0) long seed) {
     floors.count(driveThroughTroubles(seed));
   }

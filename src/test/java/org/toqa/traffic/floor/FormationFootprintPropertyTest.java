@@ -57,7 +57,7 @@ class FormationFootprintPropertyTest {
   }
 
   /** Held at any moment, a group has a path on from where it has stopped. */
-  @Property(tries = 10, seed = "20261121")
+  @Property(tries = 5, seed = "20261121")
   void groupThatIsHeldOnItsWayGoesOn(@ForAll @LongRange(min = 0) long seed) {
     Random random = new Random(seed);
     Carry carry = carry(random);
@@ -77,7 +77,7 @@ class FormationFootprintPropertyTest {
    * Stopped anywhere on its way, even in a bend, and a little beside it, it goes on; of a hundred
    * that are put aside so eight times, a few come to stand where they have no room to turn.
    */
-  @Property(tries = 15, seed = "20261121")
+  @Property(tries = 8, seed = "20261121")
   void groupThatIsStoppedBesideItsPathGoesOn(@ForAll @LongRange(min = 0) long seed) {
     Random random = new Random(seed);
     Carry carry = carry(random, some -> some.robots() == 2); // three have no room to correct
@@ -105,7 +105,7 @@ class FormationFootprintPropertyTest {
   }
 
   /** Among robots that drive to and fro, but not to its own places, it arrives, and so do they. */
-  @Property(tries = 10, seed = "20261121")
+  @Property(tries = 5, seed = "20261121")
   void groupArrivesAmongOthers(@ForAll @LongRange(min = 0) long seed) {
     Random random = new Random(seed);
     Carry carry = carry(random);
@@ -136,7 +136,7 @@ class FormationFootprintPropertyTest {
   }
 
   /** Two groups, neither of which ever stands in the other's only path, each arrive. */
-  @Property(tries = 5, seed = "20261121")
+  @Property(tries = 3, seed = "20261121")
   void twoGroupsArrive(@ForAll @LongRange(min = 0) long seed) {
     Random random = new Random(seed);
     Carry one = carry(random);

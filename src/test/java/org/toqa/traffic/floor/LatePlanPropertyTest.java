@@ -24,7 +24,7 @@ class LatePlanPropertyTest {
   private final Cases floors = new Cases("generated floors");
 
   /** Few robots, planned whole, in one-cell aisles. */
-  @Property(tries = 20, seed = "20261125")
+  @Property(tries = 10, seed = "20261125")
   void inAislesEveryRobotArrives(@ForAll @LongRange(min = 0) long seed) {
     Random random = new Random(seed);
     OccupancyGrid grid = FloorTrafficPropertyTest.aisles(random);
@@ -37,7 +37,7 @@ class LatePlanPropertyTest {
   }
 
   /** Many, whose next steps are planned, in a hall with pillars. */
-  @Property(tries = 3, seed = "20261125")
+  @Property(tries = 2, seed = "20261125")
   void inHallsEveryRobotArrives(@ForAll @LongRange(min = 0) long seed) {
     Random random = new Random(seed);
     OccupancyGrid grid = ManyRobotsPropertyTest.hall(random, random.nextBoolean() ? 0.4 : 0.5);
@@ -48,7 +48,7 @@ class LatePlanPropertyTest {
   }
 
   /** Goals are given up, robots stop, and some are lost, also while they are planned. */
-  @Property(tries = 10, seed = "20261125")
+  @Property(tries = 5, seed = "20261125")
   void troublesWhileAPlanIsMadeDisturbNothing(@ForAll @LongRange(min = 0) long seed) {
     Random random = new Random(seed);
     OccupancyGrid grid = FloorTrafficPropertyTest.aisles(random);

@@ -22,7 +22,7 @@ class PoseErrorPropertyTest {
   private final Cases floors = new Cases("generated floors");
 
   /** Cells that are hardly larger than a robot: one is left between two; nobody goes to a wall. */
-  @Property(tries = 20, seed = "20261123")
+  @Property(tries = 10, seed = "20261123")
   void onNarrowCellsNoTwoRobotsTouch(@ForAll @LongRange(min = 0) long seed) {
     Random random = new Random(seed);
     OccupancyGrid hall =
@@ -46,7 +46,7 @@ class PoseErrorPropertyTest {
   }
 
   /** Aisles of one cell that is 0.1 m wider than a robot: there is room to keep off the walls. */
-  @Property(tries = 20, seed = "20261123")
+  @Property(tries = 10, seed = "20261123")
   void inAislesWithRoomNothingTouches(@ForAll @LongRange(min = 0) long seed) {
     Random random = new Random(seed);
     OccupancyGrid grid = FloorTrafficPropertyTest.aisles(random);
@@ -55,7 +55,7 @@ class PoseErrorPropertyTest {
   }
 
   /** Aisles of 0.5 m on cells of 0.05 m, where lanes and paths could come nearer to the walls. */
-  @Property(tries = 8, seed = "20261123")
+  @Property(tries = 4, seed = "20261123")
   void onFineMapsWithRoomNothingTouches(@ForAll @LongRange(min = 0) long seed) {
     Random random = new Random(seed);
     OccupancyGrid coarse = FloorTrafficPropertyTest.aisles(random);

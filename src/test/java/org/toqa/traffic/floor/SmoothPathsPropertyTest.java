@@ -15,22 +15,22 @@ import org.toqa.testbed.Cases;
 class SmoothPathsPropertyTest {
   private final Cases floors = new Cases("generated floors");
 
-  @Property(tries = 20, seed = "20261127")
+  @Property(tries = 10, seed = "20261127")
   void onRandomFloorsEveryRobotArrives(@ForAll @LongRange(min = 0) long seed) {
     floors.count(FloorTrafficPropertyTest.driveToThreeGoals(seed, Moves.SMOOTH));
   }
 
-  @Property(tries = 6, seed = "20261127")
+  @Property(tries = 3, seed = "20261127")
   void fromWhereverItStandsARobotArrives(@ForAll @LongRange(min = 0) long seed) {
     floors.count(FloorTrafficPropertyTest.driveFromAnywhere(seed, Moves.SMOOTH));
   }
 
-  @Property(tries = 3, seed = "20261127")
+  @Property(tries = 2, seed = "20261127")
   void onFineMapsEveryRobotArrives(@ForAll @LongRange(min = 0) long seed) {
     floors.count(FloorTrafficPropertyTest.driveOnAFineMap(seed, Moves.SMOOTH));
   }
 
-  @Property(tries = 10, seed = "20261127")
+  @Property(tries = 5, seed = "20261127")
   void newGoalsStopsAndLossesDisturbNothing(@ForAll @LongRange(min = 0) long seed) {
     floors.count(FloorTrafficPropertyTest.driveThroughTroubles(seed, Moves.SMOOTH));
   }

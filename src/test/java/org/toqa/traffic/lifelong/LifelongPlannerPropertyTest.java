@@ -57,7 +57,7 @@ class LifelongPlannerPropertyTest {
     return Arbitraries.longs().withoutEdgeCases().map(seed -> RandomFloors.roomy(new Random(seed)));
   }
 
-  @Property(tries = 75)
+  @Property(tries = 38)
   void plansHoldTogetherWhateverTheGoals(
       @ForAll("crowded") Floor floor,
       @ForAll Planner planner,
@@ -70,7 +70,7 @@ class LifelongPlannerPropertyTest {
     }
   }
 
-  @Property(tries = 75)
+  @Property(tries = 38)
   void plansHoldTogetherThoughRobotsAreLate(
       @ForAll("crowded") Floor floor,
       @ForAll Planner planner,
@@ -87,7 +87,7 @@ class LifelongPlannerPropertyTest {
     }
   }
 
-  @Property(tries = 15)
+  @Property(tries = 8)
   void plansHoldTogetherThoughTheTimeIsUp(
       @ForAll("crowded") Floor floor, @ForAll Planner planner, @ForAll MotionModel model) {
     Drive drive = drive(floor, planner, model);
@@ -98,7 +98,7 @@ class LifelongPlannerPropertyTest {
     }
   }
 
-  @Property(tries = 50)
+  @Property(tries = 25)
   void whereThereIsRoomEverybodyArrives(
       @ForAll("roomy") Floor floor, @ForAll MotionModel model, @ForAll boolean mayRotate) {
     new Drive(
@@ -110,13 +110,13 @@ class LifelongPlannerPropertyTest {
         .untilArrived(1000);
   }
 
-  @Property(tries = 25)
+  @Property(tries = 13)
   void theSameCallsGiveTheSamePlans(
       @ForAll("crowded") Floor floor, @ForAll Planner planner, @ForAll MotionModel model) {
     assertEquals(drivenPlaces(floor, planner, model), drivenPlaces(floor, planner, model));
   }
 
-  @Property(tries = 4)
+  @Property(tries = 2)
   void nobodyStarvesWhileOthersGetGoalAfterGoal(
       @ForAll("roomy") Floor floor, @ForAll MotionModel model, @ForAll Random random) {
     Drive drive =

@@ -30,7 +30,7 @@ class OneShotPlannerPropertyTest {
     return RandomFloors.strewn(8, 0.3, 12);
   }
 
-  @Property(tries = 250)
+  @Property(tries = 125)
   void plansExactlyWhatCanBePlanned(@ForAll("tiny") Floor floor) {
     MapfInstance instance =
         new MapfInstance(new RoadGraph(floor.grid()), floor.starts(), floor.goals());
@@ -50,7 +50,7 @@ class OneShotPlannerPropertyTest {
     }
   }
 
-  @Property(tries = 150)
+  @Property(tries = 75)
   void everyPlanIsSoundAndNeverWorseThanTheFirst(@ForAll("small") Floor floor) {
     MapfInstance instance =
         new MapfInstance(new RoadGraph(floor.grid()), floor.starts(), floor.goals());
@@ -65,7 +65,7 @@ class OneShotPlannerPropertyTest {
     }
   }
 
-  @Property(tries = 50)
+  @Property(tries = 25)
   void theSameSeedGivesTheSamePlan(@ForAll("small") Floor floor) {
     MapfInstance instance =
         new MapfInstance(new RoadGraph(floor.grid()), floor.starts(), floor.goals());

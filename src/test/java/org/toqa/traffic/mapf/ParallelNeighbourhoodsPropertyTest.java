@@ -34,7 +34,7 @@ class ParallelNeighbourhoodsPropertyTest {
     return RandomFloors.strewn(8, 0.2, 24);
   }
 
-  @Property(tries = 40)
+  @Property(tries = 20)
   void threeThreadsKeepTheRulesAndComeToTheSamePlanEachTime(@ForAll("floors") Floor floor) {
     RoadGraph roads = new RoadGraph(floor.grid());
     int[][] first = firstPlan(roads, floor);
@@ -54,7 +54,7 @@ class ParallelNeighbourhoodsPropertyTest {
     assertArrayEquals(paths, improved(roads, distances, first, lowerBound));
   }
 
-  @Property(tries = 200)
+  @Property(tries = 100)
   void admitsWhatConflictsWithNobody(@ForAll("floors") Floor floor) {
     RoadGraph roads = new RoadGraph(floor.grid().withRules(MoveRules.NONE)); // for paths back
     int[][] paths = firstPlan(roads, floor);

@@ -30,7 +30,7 @@ class SafeIntervalSearchPropertyTest {
     return RandomFloors.strewn(6, 0.3, 8);
   }
 
-  @Property(tries = 500)
+  @Property(tries = 250)
   void findsTheQuickestRouteAroundTheOthers(
       @ForAll("floors") Floor floor, @ForAll MotionModel model, @ForAll Random random) {
     RoadGraph roads = new RoadGraph(floor.grid());
@@ -57,7 +57,7 @@ class SafeIntervalSearchPropertyTest {
     }
   }
 
-  @Property(tries = 200)
+  @Property(tries = 100)
   void whatIsRemovedLeavesNoTrace(@ForAll("floors") Floor floor, @ForAll Random random) {
     RoadGraph roads = new RoadGraph(floor.grid());
     ReservationTable timetable = new ReservationTable(roads, 100);

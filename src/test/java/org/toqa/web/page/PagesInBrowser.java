@@ -48,12 +48,6 @@ abstract class PagesInBrowser extends BrowserTest {
 
   private static final Path PICTURES = Path.of("target/screenshots");
 
-  /**
-   * {@code -Dtoqa.walk=whole}: with pictures, by which nothing is decided, and with the same looks
-   * at each page in each language.
-   */
-  static final boolean IS_WHOLE_WALK = "whole".equals(System.getProperty("toqa.walk"));
-
   WebTestServer server;
 
   /** Of those who have logged in, by their names. */
