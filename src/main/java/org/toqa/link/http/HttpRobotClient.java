@@ -109,9 +109,14 @@ public final class HttpRobotClient implements AutoCloseable {
       var _ = sent.whenComplete((_, _) -> ended = System.nanoTime());
     }
 
-    /** From the order to the answer, of an exchange that is done. */
-    public long nanos() {
-      return ended - begun;
+    /** When the order was sent, by {@link System#nanoTime}. */
+    public long begun() {
+      return begun;
+    }
+
+    /** When the answer came, of an exchange that is done. */
+    public long ended() {
+      return ended;
     }
 
     /**

@@ -26,8 +26,8 @@ final class CountedOdometry implements AutoCloseable {
   /** Wheels may turn faster than was said by this factor before they are not believed. */
   private static final double FASTER = 1.5;
 
-  /** Metres, for the jitter of the network. */
-  private static final double SLACK = 0.05;
+  /** Metres, for counters that are read a little before the answer. */
+  private static final double SLACK = 0.02;
 
   /** Seconds in which a robot that is told nothing more has stopped, from full speed. */
   private static final double STOPPED_AFTER = 0.6;
@@ -43,7 +43,8 @@ final class CountedOdometry implements AutoCloseable {
   private int[] counts = {0, 0};
   private Twist twist = Twist.ZERO;
   private @Nullable WheelReport last;
-  private long lastNanos;
+  private long lastAsked;
+  private long lastAnswered;
 
   /** What a report has shown of the counts. */
   enum Outcome {
@@ -73,12 +74,17 @@ final class CountedOdometry implements AutoCloseable {
   }
 
   /**
-   * @param nanos when the report came, on a monotonic clock
+   * The counts were read at some time between question and answer, which are on a monotonic clock
+   * and far apart where network or machine were busy.
+   *
+   * @param asked when it was asked for
+   * @param answered when it came
    */
-  Outcome update(WheelReport report, long nanos) {
+  Outcome update(WheelReport report, long asked, long answered) {
     int[] now = {(int) report.left(), (int) report.right()}; // as counters wrap around
-    double seconds = last == null ? STOPPED_AFTER : (nanos - lastNanos) / 1e9;
-    Outcome outcome = outcome(report, now, seconds);
+    double seconds = last == null ? STOPPED_AFTER : (answered - lastAnswered) / 1e9;
+    double atMost = last == null ? STOPPED_AFTER : (answered - lastAsked) / 1e9;
+    Outcome outcome = outcome(report, now, atMost);
     if (outcome == Outcome.CONTINUED) {
       twist = last == null ? Twist.ZERO : twist(report, last, now, seconds);
       odometry.update(now);
@@ -91,7 +97,8 @@ final class CountedOdometry implements AutoCloseable {
       odometry = odometryAt(ORIGIN);
     }
     last = report;
-    lastNanos = nanos;
+    lastAsked = asked;
+    lastAnswered = answered;
     Pose pose = odometry.pose();
     file.write(
         (double) epoch, (double) boot, pose.x(), pose.y(), pose.theta(), counts[0], counts[1]);

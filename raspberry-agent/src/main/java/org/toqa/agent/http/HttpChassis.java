@@ -111,7 +111,7 @@ public final class HttpChassis implements Chassis {
     }
     WheelReport report = first.report();
     CountedOdometry odometry = new CountedOdometry(odometryFile, body);
-    odometry.update(report, nanos);
+    odometry.update(report, first.begun(), first.ended());
     return new HttpChassis(robot, body, listener, odometry, report, nanos);
   }
 
@@ -207,23 +207,24 @@ public final class HttpChassis implements Chassis {
       if (!isDone) {
         exchange.cancel();
       }
-      take(exchange.report(), exchange.nanos(), nanos);
+      take(exchange, nanos);
     } catch (HttpRobotException e) {
       failure = e;
       listener.failed(e);
     }
   }
 
-  private void take(WheelReport answer, long took, long nanos) {
+  private void take(HttpRobotClient.Exchange exchange, long nanos) throws HttpRobotException {
+    WheelReport answer = exchange.report();
     report = answer;
     answeredNanos = nanos;
     failure = null;
-    listener.answered(took);
+    listener.answered(exchange.ended() - exchange.begun());
     if (answer.seq() > seq && answer.boot() == body.boot()) {
       contestedUntil = nanos + TELLING_NANOS;
     }
     seq = Math.max(seq, answer.seq());
-    CountedOdometry.Outcome outcome = odometry.update(answer, nanos);
+    CountedOdometry.Outcome outcome = odometry.update(answer, exchange.begun(), exchange.ended());
     if (outcome != CountedOdometry.Outcome.CONTINUED) {
       queue = null;
       velocity = Twist.ZERO;
