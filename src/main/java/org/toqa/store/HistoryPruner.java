@@ -54,19 +54,23 @@ public final class HistoryPruner {
   }
 
   /**
-   * How many points were removed that are older than this; batteries' levels go too.
+   * How many points were removed that are older than this; batteries' levels, and loads' places and
+   * planned paths that had ended before, go too.
    *
    * @throws StoreException when the database does not answer
    */
   public long pruneTracks(Instant before) {
-    deleteInBatches(() -> deleteOlderRows("battery_levels", before));
-    return deleteInBatches(() -> deleteOlderRows("tracks", before));
+    deleteInBatches(() -> deleteOlderRows("battery_levels", "at", before));
+    deleteInBatches(() -> deleteOlderRows("load_places", "until", before));
+    deleteInBatches(() -> deleteOlderRows("planned_paths", "until", before));
+    return deleteInBatches(() -> deleteOlderRows("tracks", "at", before));
   }
 
-  private int deleteOlderRows(String table, Instant before) {
+  private int deleteOlderRows(String table, String column, Instant before) {
     return sql.withHandle(
         h ->
-            h.createUpdate("delete from " + table + " where at < :before limit " + BATCH_SIZE)
+            h.createUpdate(
+                    "delete from " + table + " where " + column + " < :before limit " + BATCH_SIZE)
                 .bind("before", before.toEpochMilli())
                 .execute());
   }

@@ -15,6 +15,7 @@ import org.toqa.fleet.ScheduleStore;
 import org.toqa.fleet.TaskArchive;
 import org.toqa.fleet.TaskTraces;
 import org.toqa.fleet.history.EventArchive;
+import org.toqa.fleet.history.SceneStore;
 import org.toqa.fleet.history.SeenPlaces;
 import org.toqa.fleet.history.StatisticsArchive;
 import org.toqa.fleet.history.TrackStore;
@@ -36,6 +37,7 @@ public record Services(
     TaskTraces traces,
     EventArchive history,
     TrackStore tracks,
+    SceneStore scenes,
     ScheduleStore schedules,
     StatisticsArchive statistics,
     SeenPlaces seenPlaces,

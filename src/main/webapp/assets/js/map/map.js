@@ -179,8 +179,17 @@ class MapPage {
     const isAdvancing = this.#replay.advance(now);
     this.#followReplayedMap();
     const poseOf = (name) => this.#replay.poseOf(name);
-    const robots = this.#robotsInReplay.map((robot) => replayedRobot(robot, poseOf(robot.name)));
-    drawRobots(context, viewport, colours, robots, [], poseOf);
+    const {loads} = this.#replay;
+    const lying = loads.filter(({at}) => at).map(({at, size}) => ({where: at, size}));
+    drawLeftLoads(context, viewport, colours, lying);
+    const carried = loads
+      .filter(({at}) => !at)
+      .map(({task, robots, size}) => ({id: task, state: 'CARRYING', robots, size}));
+    const robots = this.#robotsInReplay.map((robot) => {
+      const task = carried.find((one) => one.robots.includes(robot.name))?.id;
+      return replayedRobot(robot, poseOf(robot.name), this.#replay.pathOf(robot.name), task);
+    });
+    drawRobots(context, viewport, colours, robots, carried, poseOf);
     return isAdvancing;
   }
 

@@ -31,9 +31,16 @@ export function drawLeftLoads(context, viewport, colours, loads) {
   }
 }
 
-/** A robot as a replay shows it: of its state only whether it was moving is known. */
-export function replayedRobot(robot, pose) {
-  return {...robot, state: pose?.isMoving ? 'DRIVING' : 'IDLE', letter: '', route: [], task: null};
+/**
+ * A robot as a replay shows it: of its state only whether it was moving is known, of its path not
+ * how much of it was released, and of its arm nothing.
+ *
+ * @param route the points that it had ahead
+ * @param task of the load that it carried; undefined: none
+ */
+export function replayedRobot(robot, pose, route, task) {
+  const state = pose?.isMoving ? 'DRIVING' : 'IDLE';
+  return {...robot, state, letter: '', route, released: 0, task, arm: null};
 }
 
 /**

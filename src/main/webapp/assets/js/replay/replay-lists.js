@@ -6,15 +6,19 @@ import {text} from '../shared/texts.js';
 
 const MAX_EVENTS = 8;
 const clock = new Intl.DateTimeFormat(locale, {timeStyle: 'medium'});
+const metres = new Intl.NumberFormat(locale, {minimumFractionDigits: 2, maximumFractionDigits: 2});
 const $ = (selector) => document.querySelector(selector);
 
-/** Fills the lists beside a replay: the robots at that time, and the latest events before it. */
+/** Fills the lists beside a replay: the robots and loads at that time, and the latest events before it. */
 export function updateReplayLists(robots, replay) {
   const {events} = replay;
   const seen = robots
     .map((robot) => [robot.name, replay.poseOf(robot.name)])
     .filter(([, pose]) => pose);
   updateLinkList($('#replay-robots'), seen.map(([name, pose]) => robotEntry(name, pose, events)));
+  const {loads} = replay;
+  updateLinkList($('#replay-loads'), loads.map(loadEntry));
+  $('#replay-no-loads').hidden = replay.isLoading || loads.length > 0;
   updateList($('#replay-events'), events.slice(0, MAX_EVENTS), ({id}) => id, createEvent, () => {});
   setText($('#replay-no-robots'), text(replay.isLoading ? 'replay.loading' : 'replay.none'));
   $('#replay-no-robots').hidden = seen.length > 0;
@@ -31,6 +35,18 @@ function robotEntry(name, {isMoving}, events) {
     title: name,
     side: text(isMoving ? 'replay.driving' : 'replay.stopped'),
     sentence: last && (last.task ? `${text('replay.task', last.task)}: ${last.text}` : last.text),
+  };
+}
+
+function loadEntry({load, task, at, robots}) {
+  const where = at && text('replay.loadAt', metres.format(at.x), metres.format(at.y));
+  return {
+    key: `load ${load}`,
+    href: `tasks/${task}`,
+    state: '',
+    letter: '',
+    title: text('replay.task', task),
+    side: where ?? text('replay.loadOn', robots.join(text('common.comma'))),
   };
 }
 

@@ -65,6 +65,16 @@ export class Replay {
     return this.#data.robots(this.#time);
   }
 
+  /** The loads at the time shown: each with its task, where it was, or the robots that carried it. */
+  get loads() {
+    return this.#data.loads(this.#time);
+  }
+
+  /** The points that a robot had ahead at the time shown. */
+  pathOf(robot) {
+    return this.#data.pathOf(robot, this.#time);
+  }
+
   /** The latest events before the time shown, newest first. */
   get events() {
     return this.#data.events(this.#time);

@@ -7,6 +7,7 @@ import java.time.Duration;
 import java.time.Instant;
 import java.time.LocalDate;
 import java.time.ZoneOffset;
+import java.util.Comparator;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
@@ -26,8 +27,11 @@ import org.toqa.fleet.RobotRecord;
 import org.toqa.fleet.history.BatteryLevel;
 import org.toqa.fleet.history.EventArchive.Entry;
 import org.toqa.fleet.history.EventArchive.Filter;
+import org.toqa.fleet.history.FloorScenes;
 import org.toqa.fleet.history.FloorTracks;
+import org.toqa.fleet.history.LoadPlace;
 import org.toqa.fleet.history.Period;
+import org.toqa.fleet.history.PlannedPath;
 import org.toqa.fleet.history.RobotActivity;
 import org.toqa.fleet.history.TrackPoint;
 import org.toqa.fleet.history.UtilisationRecord;
@@ -35,6 +39,7 @@ import org.toqa.geometry.Vec2;
 import org.toqa.mission.Mission;
 import org.toqa.mission.TaskState;
 import org.toqa.mission.TransportTask;
+import org.toqa.mission.TransportTask.LoadSize;
 import org.toqa.testbed.LabTask;
 import org.toqa.wording.Phrase;
 import org.toqa.wording.Sentence;
@@ -49,6 +54,7 @@ class HistoryTest extends DatabaseTest {
   private JdbiFleetStore store;
   private JdbiEventArchive history;
   private JdbiTrackStore tracks;
+  private JdbiSceneStore scenes;
   private HistoryPruner pruning;
 
   @BeforeEach
@@ -56,6 +62,7 @@ class HistoryTest extends DatabaseTest {
     store = new JdbiFleetStore(database.jdbi());
     history = new JdbiEventArchive(database.jdbi());
     tracks = new JdbiTrackStore(database.jdbi());
+    scenes = new JdbiSceneStore(database.jdbi());
     pruning = new HistoryPruner(database.jdbi());
   }
 
@@ -230,6 +237,79 @@ class HistoryTest extends DatabaseTest {
     assertEquals(
         Map.of("r1", List.of(0L, 10L, 20L, 30L), "r2", List.of(5L, 15L, 25L)), seconds(rest));
     assertEquals(Map.of(), seconds(tracks.tracksOf(List.of(), AT, AT.plusSeconds(60), 3)));
+  }
+
+  @Test
+  void loadsAndPathsOfAPeriodAreThoseOfAnyMomentOfIt() {
+    store.saveRobot(RobotRecord.direct("r1", "lab", "h", 7275, 5, null, false, null));
+    LoadPlace lay = load(7, -60, 10L, new Vec2(1.234, -5.678));
+    LoadPlace carried = load(7, 10, null, null, "r1", "r2");
+    LoadPlace before = load(8, -60, 0L, new Vec2(1, 1));
+    LoadPlace after = load(9, 30, null, new Vec2(1, 1));
+    PlannedPath path = path("r1", -5, null);
+    scenes.save(List.of(after, lay, carried, before), List.of(path, path("nobody", 0, null)));
+    assertEquals(List.of(after, carried), sorted(scenes.openLoads()));
+    assertEquals(List.of(path), scenes.openPaths());
+
+    FloorScenes found = scenes.scenesOf("lab", AT, AT.plusSeconds(30), 2);
+
+    assertEquals(new FloorScenes(AT.plusSeconds(30), List.of(lay, carried), List.of(path)), found);
+    assertEquals(
+        new FloorScenes(AT.plusSeconds(10), List.of(lay), List.of(path)),
+        scenes.scenesOf("lab", AT, AT.plusSeconds(30), 1),
+        "up to where one too many begins");
+    assertEquals(List.of(), scenes.scenesOf("elsewhere", AT, AT.plusSeconds(30), 2).loads());
+  }
+
+  @Test
+  void aLoadAndAPathEndWhereTheyWere() {
+    store.saveRobot(RobotRecord.direct("r1", "lab", "h", 7275, 5, null, false, null));
+    scenes.save(List.of(load(7, 0, null, Vec2.ZERO)), List.of(path("r1", 0, null)));
+    LoadPlace lay = load(7, 0, 5L, Vec2.ZERO);
+    PlannedPath driven = path("r1", 0, 6L);
+
+    scenes.save(List.of(lay), List.of(driven));
+
+    assertEquals(
+        new FloorScenes(AT.plusSeconds(9), List.of(lay), List.of(driven)),
+        scenes.scenesOf("lab", AT, AT.plusSeconds(9), 9));
+    assertEquals(List.of(), scenes.openLoads());
+    assertEquals(List.of(), scenes.openPaths());
+    scenes.save(List.of(load(8, 0, null, Vec2.ZERO)), List.of());
+    pruning.pruneTracks(AT.plusSeconds(6));
+    assertEquals(List.of(driven), scenes.scenesOf("lab", AT, AT.plusSeconds(9), 9).paths());
+    assertEquals(
+        List.of(8L),
+        scenes.scenesOf("lab", AT, AT.plusSeconds(9), 9).loads().stream()
+            .map(LoadPlace::load)
+            .toList(),
+        "what still lies there stays, however old it is");
+  }
+
+  private static List<LoadPlace> sorted(List<LoadPlace> loads) {
+    return loads.stream().sorted(Comparator.comparing(LoadPlace::load).reversed()).toList();
+  }
+
+  private static LoadPlace load(
+      long load, long from, @Nullable Long until, @Nullable Vec2 position, String... robots) {
+    return new LoadPlace(
+        load,
+        load,
+        "lab",
+        AT.plusSeconds(from),
+        until == null ? null : AT.plusSeconds(until),
+        position,
+        List.of(robots),
+        robots.length == 0 ? null : new LoadSize(1.2, 0.8));
+  }
+
+  private static PlannedPath path(String robot, long from, @Nullable Long until) {
+    return new PlannedPath(
+        robot,
+        "lab",
+        AT.plusSeconds(from),
+        until == null ? null : AT.plusSeconds(until),
+        List.of(new Vec2(1.234, -5.678), new Vec2(2, 0)));
   }
 
   private static List<TrackPoint> points(String robot, long... seconds) {

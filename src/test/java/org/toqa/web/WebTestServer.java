@@ -51,6 +51,7 @@ import org.toqa.store.JdbiFleetStore;
 import org.toqa.store.JdbiLabRunStore;
 import org.toqa.store.JdbiNoticeStore;
 import org.toqa.store.JdbiPasswordResetStore;
+import org.toqa.store.JdbiSceneStore;
 import org.toqa.store.JdbiScheduleStore;
 import org.toqa.store.JdbiSessionStore;
 import org.toqa.store.JdbiStatisticsArchive;
@@ -80,6 +81,8 @@ public final class WebTestServer implements AutoCloseable {
           "webhooks",
           "robot_use",
           "tracks",
+          "load_places",
+          "planned_paths",
           "battery_levels",
           "events",
           "drives",
@@ -113,6 +116,7 @@ public final class WebTestServer implements AutoCloseable {
   private final Notices notices;
   private final JdbiFleetStore store;
   private final JdbiTrackStore tracks;
+  private final JdbiSceneStore scenes;
   private final JdbiUtilisationStore uses;
   private final Laboratory laboratory;
   private final Database database;
@@ -233,6 +237,7 @@ public final class WebTestServer implements AutoCloseable {
             mailbox,
             InstantSource.system());
     tracks = new JdbiTrackStore(jdbi);
+    scenes = new JdbiSceneStore(jdbi);
     uses = new JdbiUtilisationStore(jdbi);
     telemetry =
         new Telemetry(
@@ -267,6 +272,7 @@ public final class WebTestServer implements AutoCloseable {
             fleet,
             new JdbiEventArchive(jdbi),
             tracks,
+            scenes,
             schedules,
             new JdbiStatisticsArchive(jdbi),
             seenPlaces,
@@ -365,6 +371,10 @@ public final class WebTestServer implements AutoCloseable {
 
   public JdbiTrackStore tracks() {
     return tracks;
+  }
+
+  public JdbiSceneStore scenes() {
+    return scenes;
   }
 
   JdbiUtilisationStore uses() {

@@ -27,6 +27,7 @@ import org.toqa.fleet.Fleet;
 import org.toqa.fleet.FleetRules;
 import org.toqa.fleet.PeriodicWork;
 import org.toqa.fleet.SnapshotFeed;
+import org.toqa.fleet.history.SceneRecorder;
 import org.toqa.fleet.history.SeenPlaces;
 import org.toqa.fleet.history.SightingRecorder;
 import org.toqa.fleet.history.TrackRecorder;
@@ -57,6 +58,7 @@ import org.toqa.store.JdbiLabRunStore;
 import org.toqa.store.JdbiNoticeStore;
 import org.toqa.store.JdbiOrderArchive;
 import org.toqa.store.JdbiPasswordResetStore;
+import org.toqa.store.JdbiSceneStore;
 import org.toqa.store.JdbiScheduleStore;
 import org.toqa.store.JdbiServerRuns;
 import org.toqa.store.JdbiSessionStore;
@@ -227,6 +229,7 @@ public final class FleetServer implements AutoCloseable {
     parts.push(new PeriodicWork("schedules", SCHEDULE_PERIOD, scheduler::runDueSchedules));
     JdbiTrackStore tracks = new JdbiTrackStore(database.jdbi());
     parts.push(new TrackRecorder(fleet.snapshots(), tracks));
+    parts.push(new SceneRecorder(fleet.snapshots(), new JdbiSceneStore(database.jdbi())));
     parts.push(
         new UtilisationRecorder(
             fleet.snapshots(),
@@ -272,6 +275,7 @@ public final class FleetServer implements AutoCloseable {
             new JdbiTaskTraces(database.jdbi(), wallClock),
             new JdbiEventArchive(database.readers()),
             new JdbiTrackStore(database.readers()),
+            new JdbiSceneStore(database.readers()),
             schedules,
             new JdbiStatisticsArchive(database.readers()),
             seenPlaces,

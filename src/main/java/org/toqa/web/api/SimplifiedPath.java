@@ -1,7 +1,7 @@
 package org.toqa.web.api;
 
-import java.util.ArrayList;
 import java.util.List;
+import org.toqa.geometry.Polyline;
 import org.toqa.geometry.Vec2;
 
 /**
@@ -12,39 +12,11 @@ import org.toqa.geometry.Vec2;
  */
 record SimplifiedPath(List<Vec2> points, int released) {
   private static final double TOLERANCE = 0.005;
-  private static final double MILLIMETRES = 1_000;
 
   static SimplifiedPath of(List<Vec2> path, int released) {
-    List<Vec2> points = new ArrayList<>();
-    int releasedPoints = 0;
-    int lastKept = 0;
-    for (int i = 0; i < path.size(); i++) {
-      boolean isEnd = i == 0 || i == path.size() - 1 || i == released - 1;
-      if (isEnd || !isStraight(path, lastKept, i + 1)) {
-        points.add(rounded(path.get(i)));
-        lastKept = i;
-      }
-      if (i == released - 1) {
-        releasedPoints = points.size();
-      }
-    }
-    return new SimplifiedPath(List.copyOf(points), releasedPoints);
-  }
-
-  private static boolean isStraight(List<Vec2> path, int from, int to) {
-    for (int i = from + 1; i < to; i++) {
-      if (path.get(i).distanceToLine(path.get(from), path.get(to)) > TOLERANCE) {
-        return false;
-      }
-    }
-    return true;
-  }
-
-  private static Vec2 rounded(Vec2 point) {
-    return new Vec2(rounded(point.x()), rounded(point.y()));
-  }
-
-  private static double rounded(double metres) {
-    return Math.round(metres * MILLIMETRES) / MILLIMETRES;
+    List<Integer> kept = Polyline.simplify(path, i -> i == released - 1, TOLERANCE);
+    return new SimplifiedPath(
+        kept.stream().map(path::get).map(Polyline::toMillimetres).toList(),
+        kept.indexOf(released - 1) + 1);
   }
 }

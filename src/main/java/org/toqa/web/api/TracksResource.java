@@ -8,15 +8,21 @@ import java.time.Instant;
 import java.util.List;
 import java.util.Map;
 import java.util.stream.Stream;
+import org.jspecify.annotations.Nullable;
 import org.toqa.fleet.RobotView;
+import org.toqa.fleet.history.FloorScenes;
 import org.toqa.fleet.history.FloorTracks;
+import org.toqa.fleet.history.LoadPlace;
+import org.toqa.fleet.history.PlannedPath;
 import org.toqa.fleet.history.TrackPoint;
 import org.toqa.fleet.history.TrackStore;
+import org.toqa.geometry.Vec2;
+import org.toqa.mission.TransportTask.LoadSize;
 import org.toqa.web.Texts;
 import org.toqa.web.input.FieldErrors;
 import org.toqa.web.input.InputRules;
 
-/** Where the robots of a floor were in a period, for replays. */
+/** Where the robots and loads of a floor were in a period, and their paths, for replays. */
 public final class TracksResource extends ApiHandler {
   private static final Duration MAX_DURATION = Duration.ofHours(1);
   private static final Duration DEFAULT_DURATION = Duration.ofMinutes(10);
@@ -24,14 +30,67 @@ public final class TracksResource extends ApiHandler {
   /** As JSON they have less than a megabyte. */
   private static final int MAX_POINTS = 30_000;
 
+  /** Of loads' places, and of planned paths. */
+  private static final int MAX_SCENES = 5_000;
+
   private record Span(Instant from, Instant until) {}
 
-  private record TracksJson(String floor, Instant from, Instant until, List<TrackJson> robots) {}
+  private record TracksJson(
+      String floor,
+      Instant from,
+      Instant until,
+      List<TrackJson> robots,
+      List<LoadJson> loads,
+      List<PathJson> paths) {}
 
   /**
    * @param points milliseconds after {@code from}, x and y in metres, map frame
    */
   private record TrackJson(String robot, List<double[]> points) {}
+
+  /**
+   * @param from milliseconds after {@code from} of all; below 0 where it began before
+   * @param until likewise; null: it still is
+   * @param at metres, map frame; null: on its robots
+   */
+  private record LoadJson(
+      long load,
+      long task,
+      long from,
+      @Nullable Long until,
+      @Nullable Vec2 at,
+      List<String> robots,
+      @Nullable LoadSize size) {
+    static LoadJson of(LoadPlace place, Instant begin) {
+      return new LoadJson(
+          place.load(),
+          place.task(),
+          after(begin, place.from()),
+          place.until() == null ? null : Long.valueOf(after(begin, place.until())),
+          place.position(),
+          place.robots(),
+          place.size());
+    }
+  }
+
+  /**
+   * @param from milliseconds after {@code from} of all; below 0 where it began before
+   * @param until likewise; null: it still is
+   * @param points x and y in metres, map frame
+   */
+  private record PathJson(String robot, long from, @Nullable Long until, List<double[]> points) {
+    static PathJson of(PlannedPath path, Instant begin) {
+      return new PathJson(
+          path.robot(),
+          after(begin, path.from()),
+          path.until() == null ? null : Long.valueOf(after(begin, path.until())),
+          path.points().stream().map(point -> new double[] {point.x(), point.y()}).toList());
+    }
+  }
+
+  private static long after(Instant begin, Instant moment) {
+    return Duration.between(begin, moment).toMillis();
+  }
 
   public static void get(HttpServletRequest request, HttpServletResponse response)
       throws IOException {
@@ -44,7 +103,9 @@ public final class TracksResource extends ApiHandler {
     TrackStore store = services(request).tracks();
     List<String> robots =
         Stream.concat(present, store.robotsOf(floor).stream()).distinct().toList();
-    FloorTracks tracks = store.tracksOf(robots, span.from(), span.until(), MAX_POINTS);
+    FloorScenes scenes =
+        services(request).scenes().scenesOf(floor, span.from(), span.until(), MAX_SCENES);
+    FloorTracks tracks = store.tracksOf(robots, span.from(), scenes.until(), MAX_POINTS);
     Json.send(
         request,
         response,
@@ -53,7 +114,15 @@ public final class TracksResource extends ApiHandler {
             floor,
             span.from(),
             tracks.until(),
-            tracks.points().entrySet().stream().map(track -> json(track, span.from())).toList()));
+            tracks.points().entrySet().stream().map(track -> json(track, span.from())).toList(),
+            scenes.loads().stream()
+                .filter(load -> load.from().isBefore(tracks.until()))
+                .map(load -> LoadJson.of(load, span.from()))
+                .toList(),
+            scenes.paths().stream()
+                .filter(path -> path.from().isBefore(tracks.until()))
+                .map(path -> PathJson.of(path, span.from()))
+                .toList()));
   }
 
   private static Span span(HttpServletRequest request) {
@@ -78,9 +147,7 @@ public final class TracksResource extends ApiHandler {
             .map(
                 point ->
                     new double[] {
-                      Duration.between(from, point.at()).toMillis(),
-                      point.position().x(),
-                      point.position().y()
+                      after(from, point.at()), point.position().x(), point.position().y()
                     })
             .toList());
   }

@@ -15,9 +15,12 @@ import org.toqa.fleet.EventRecord;
 import org.toqa.fleet.RobotRecord;
 import org.toqa.fleet.RobotState;
 import org.toqa.fleet.history.BatteryLevel;
+import org.toqa.fleet.history.LoadPlace;
+import org.toqa.fleet.history.PlannedPath;
 import org.toqa.fleet.history.TrackPoint;
 import org.toqa.geometry.Pose;
 import org.toqa.geometry.Vec2;
+import org.toqa.mission.TransportTask.LoadSize;
 import org.toqa.testbed.Hall;
 import org.toqa.wording.Sentence;
 import tools.jackson.databind.JsonNode;
@@ -98,7 +101,7 @@ class ApiHistoryTest extends ApiTestServer {
   }
 
   @Test
-  void aFloorHasTheTracksOfItsRobots() {
+  void aFloorHasTheTracksOfItsRobotsWithTheirLoadsAndPaths() {
     server.store().saveRobot(RobotRecord.direct("r1", "hall", "h", 7275, 5, null, false, null));
     Instant at = Instant.parse("2026-11-21T08:00:00Z");
     server
@@ -108,6 +111,22 @@ class ApiHistoryTest extends ApiTestServer {
                 new TrackPoint("r1", at.minusSeconds(60), new Vec2(1, 1)),
                 new TrackPoint("r1", at.plusMillis(1500), new Vec2(2.125, 1)),
                 new TrackPoint("r1", at.plusSeconds(7200), new Vec2(3, 1))));
+    Instant pickedUp = at.plusSeconds(2);
+    server
+        .scenes()
+        .save(
+            List.of(
+                new LoadPlace(
+                    7, 8, "hall", at.minusSeconds(1), pickedUp, new Vec2(1, 2), List.of(), null),
+                new LoadPlace(
+                    7, 8, "hall", pickedUp, null, null, List.of("r1"), new LoadSize(0.5, 0.4))),
+            List.of(
+                new PlannedPath(
+                    "r1",
+                    "hall",
+                    pickedUp,
+                    at.plusSeconds(9),
+                    List.of(new Vec2(2.125, 1), new Vec2(3, 1)))));
 
     JsonNode tracks =
         JSON.readTree(
@@ -120,6 +139,16 @@ class ApiHistoryTest extends ApiTestServer {
     assertEquals(
         "[[-60000.0,1.0,1.0],[1500.0,2.125,1.0],[7200000.0,3.0,1.0]]",
         tracks.get("robots").get(0).get("points").toString());
+    assertEquals(
+        """
+        [{"load":7,"task":8,"from":-1000,"until":2000,"at":{"x":1.0,"y":2.0},"robots":[],"size":null},\
+        {"load":7,"task":8,"from":2000,"until":null,"at":null,"robots":["r1"],\
+        "size":{"length":0.5,"width":0.4}}]""",
+        tracks.get("loads").toString());
+    assertEquals(
+        """
+        [{"robot":"r1","from":2000,"until":9000,"points":[[2.125,1.0],[3.0,1.0]]}]""",
+        tracks.get("paths").toString());
     JsonNode usual = JSON.readTree(get("api/v1/tracks").body());
     assertEquals(
         Duration.ofMinutes(10),

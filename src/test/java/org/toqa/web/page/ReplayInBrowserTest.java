@@ -5,22 +5,29 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import com.microsoft.playwright.APIResponse;
 import com.microsoft.playwright.Locator;
 import com.microsoft.playwright.Page;
+import com.microsoft.playwright.Route;
 import com.microsoft.playwright.options.AriaRole;
 import java.time.Instant;
 import java.util.List;
+import java.util.Map;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.toqa.fleet.EventRecord;
 import org.toqa.fleet.RobotRecord;
 import org.toqa.fleet.RobotState;
 import org.toqa.fleet.RobotView;
+import org.toqa.fleet.history.LoadPlace;
+import org.toqa.fleet.history.PlannedPath;
 import org.toqa.fleet.history.TrackPoint;
 import org.toqa.geometry.Pose;
 import org.toqa.geometry.Vec2;
+import org.toqa.mission.TransportTask.LoadSize;
 import org.toqa.testbed.Hall;
 import org.toqa.web.WebTestServer;
 import org.toqa.wording.Phrase;
@@ -28,7 +35,8 @@ import org.toqa.wording.Sentence;
 
 /**
  * Going back in time on the map. In the minute before its end r1 drove from (2, 1) to (10, 1), r2
- * stood, and of r3 nothing is known. Pictures go to {@code target/screenshots}, to be looked at.
+ * stood, and of r3 nothing is known; half a minute before it r1 took over the load of task 7.
+ * Pictures go to {@code target/screenshots}, to be looked at.
  */
 class ReplayInBrowserTest extends PagesInBrowser {
 
@@ -55,6 +63,29 @@ class ReplayInBrowserTest extends PagesInBrowser {
                 new TrackPoint("r2", end.minusSeconds(7200), new Vec2(4, 2)),
                 new TrackPoint("r1", end.minusSeconds(60), new Vec2(2, 1)),
                 new TrackPoint("r1", end, new Vec2(10, 1))));
+    Instant pickedUp = end.minusSeconds(30);
+    server
+        .scenes()
+        .save(
+            List.of(
+                new LoadPlace(
+                    7,
+                    7,
+                    "hall",
+                    end.minusSeconds(3600),
+                    pickedUp,
+                    new Vec2(6.5, 4.5),
+                    List.of(),
+                    new LoadSize(1, 0.6)),
+                new LoadPlace(
+                    7, 7, "hall", pickedUp, null, null, List.of("r1"), new LoadSize(1, 0.6))),
+            List.of(
+                new PlannedPath(
+                    "r1",
+                    "hall",
+                    pickedUp,
+                    null,
+                    List.of(new Vec2(6, 1), new Vec2(10, 1), new Vec2(10, 5)))));
     server
         .store()
         .addEvents(
@@ -83,6 +114,55 @@ class ReplayInBrowserTest extends PagesInBrowser {
     lookBack();
 
     assertThat(thenRobots()).hasText(new String[] {"r2", "r1"});
+  }
+
+  @Test
+  void loadsAndPathsAreThoseOfTheTime() {
+    openMap("map");
+    MapPicture map = new MapPicture(page());
+    assertThat(page().locator("#robots li")).hasCount(3);
+    lookBack();
+    assertThat(page().locator("#replay-loads")).containsText("Task 7On r1");
+    map.awaitLoad(map.whole(10, 1, 1, 0.6));
+    Object withPath = pictureOf(page());
+    picture(page(), "replay-loads");
+    for (int i = 0; i < 4; i++) {
+      button("−10 s").click();
+    }
+    assertThat(page().locator("#replay-loads")).containsText("Task 7At (6.50, 4.50)");
+    map.awaitLoad(map.whole(6.5, 4.5, 1, 0.6));
+
+    button("Back to live").click();
+    page()
+        .route(
+            "**/api/v1/tracks?*",
+            route -> {
+              APIResponse answer = route.fetch();
+              String body = answer.text().replaceFirst("\"paths\":.*", "\"paths\":[]}");
+              route.fulfill(new Route.FulfillOptions().setResponse(answer).setBody(body));
+            });
+    lookBack();
+    map.awaitLoad(map.whole(10, 1, 1, 0.6));
+    assertNotEquals(withPath, pictureOf(page()));
+  }
+
+  /** The path crosses itself at (3, 0); points that are left, and the robot's own before them. */
+  @ParameterizedTest
+  @CsvSource({"1,0,0,3", "3,0,0,3", "3,0,1.5708,1", "3,1,1.5708,1", "5,1,1.5708,2"})
+  void theRestOfAPathBeginsWhereTheRobotIs(double x, double y, double theta, int left) {
+    openMap("robots");
+    Object ahead =
+        page()
+            .evaluate(
+                """
+                async (pose) => {
+                  const {remainingPath} = await import('/assets/js/replay/remaining-path.js');
+                  const path = [[0, 0], [5, 0], [5, 3], [3, -1], [3, 3]];
+                  return remainingPath(path, pose).length - 1;
+                }
+                """,
+                Map.of("x", x, "y", y, "theta", theta));
+    assertEquals(left, ahead);
   }
 
   @Test
