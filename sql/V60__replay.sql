@@ -30,3 +30,7 @@ create table planned_paths (
 create index planned_paths_floor on planned_paths (floor, until);
 create index load_places_until on load_places (until);
 create index planned_paths_until on planned_paths (until);
+
+-- Who has chosen how to be told of notices is told on pages of the kind that is new.
+insert into notice_choices (user_id, kind, channel)
+select user_id, 'schedule-refused', 'badge' from notice_preferences;

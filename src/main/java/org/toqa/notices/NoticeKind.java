@@ -30,6 +30,8 @@ public enum NoticeKind {
   CHARGER_FAULTY,
   CHARGERS_SHORT(Duration.ofSeconds(30)),
   LOAD_LEFT,
+  /** The fleet refused the task of a schedule when it was due; told for an hour, as it has no end. */
+  SCHEDULE_REFUSED(Duration.ZERO),
   FLOOR_HELD,
   FLEET_PAUSED,
   /** The database is away, the memory short, or what else hinders the server. */

@@ -10,6 +10,7 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 import org.toqa.fleet.PeriodicWork;
 import org.toqa.fleet.SnapshotFeed;
+import org.toqa.fleet.history.EventArchive;
 import org.toqa.notices.NoticeStore.Change;
 import org.toqa.persistence.StoreException;
 
@@ -29,6 +30,7 @@ public final class NoticeRecorder implements AutoCloseable {
   private static final int MOST_WAITING = 1000;
 
   private final SnapshotFeed fleet;
+  private final EventConditions events;
   private final Notices notices;
   private final Outbox outbox;
   private final InstantSource clock;
@@ -43,16 +45,27 @@ public final class NoticeRecorder implements AutoCloseable {
   private Instant planAt = Instant.EPOCH;
   private final List<Change> waiting = new ArrayList<>();
 
-  public NoticeRecorder(SnapshotFeed fleet, Notices notices, Outbox outbox, InstantSource clock) {
-    this(fleet, notices, outbox, clock, PERIOD);
+  public NoticeRecorder(
+      SnapshotFeed fleet,
+      EventArchive history,
+      Notices notices,
+      Outbox outbox,
+      InstantSource clock) {
+    this(fleet, history, notices, outbox, clock, PERIOD);
   }
 
   /**
    * @param period between two looks
    */
   NoticeRecorder(
-      SnapshotFeed fleet, Notices notices, Outbox outbox, InstantSource clock, Duration period) {
+      SnapshotFeed fleet,
+      EventArchive history,
+      Notices notices,
+      Outbox outbox,
+      InstantSource clock,
+      Duration period) {
     this.fleet = fleet;
+    this.events = new EventConditions(history);
     this.notices = notices;
     this.outbox = outbox;
     this.clock = clock;
@@ -72,7 +85,7 @@ public final class NoticeRecorder implements AutoCloseable {
       store(now);
       return;
     }
-    NoticeTracker.Step step = before.next(Conditions.of(fleet.latest()), now);
+    NoticeTracker.Step step = before.next(conditions(now), now);
     tracker = step.tracker();
     if (!step.isEmpty() || !now.isBefore(planAt.plus(PLAN_AGE))) {
       renewPlan(now);
@@ -84,6 +97,12 @@ public final class NoticeRecorder implements AutoCloseable {
     if (!waiting.isEmpty() && !store(now)) {
       found.forEach(change -> outbox.tellDirectly(change, plan));
     }
+  }
+
+  private List<Condition> conditions(Instant now) {
+    List<Condition> all = new ArrayList<>(Conditions.of(fleet.latest()));
+    all.addAll(events.at(now));
+    return all;
   }
 
   /** Null: the store does not answer. */

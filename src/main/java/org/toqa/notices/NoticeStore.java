@@ -106,7 +106,10 @@ public interface NoticeStore {
   /** Those who can be told by letter, and have chosen something. */
   List<Person> people();
 
-  /** In the order in which they were made. */
+  /**
+   * In the order in which they were made. What is done with them is in the history, with the host
+   * alone: the rest of an address may be secret.
+   */
   List<Webhook> webhooks();
 
   /** What became last of what was to be told to each, by its id. */
@@ -115,17 +118,25 @@ public interface NoticeStore {
   Webhook addWebhook(URI url, WebhookSecret secret, Set<NoticeKind> kinds, Instant now, String by);
 
   /**
+   * @param by the name of who does so
    * @return false: there is no such webhook
    */
-  boolean changeWebhook(long id, URI url, Set<NoticeKind> kinds, boolean enabled);
+  boolean changeWebhook(
+      long id, URI url, Set<NoticeKind> kinds, boolean enabled, Instant now, String by);
 
   /**
+   * @param by the name of who does so
    * @return false: there is no such webhook
    */
-  boolean setSecret(long id, WebhookSecret secret);
+  boolean setSecret(long id, WebhookSecret secret, Instant now, String by);
 
-  /** With all that was still to be told there. */
-  boolean deleteWebhook(long id);
+  /**
+   * With all that was still to be told there.
+   *
+   * @param by the name of who does so
+   * @return false: there is no such webhook
+   */
+  boolean deleteWebhook(long id, Instant now, String by);
 
   /**
    * The first of what may be told now; what tells an end comes after its begin. A letter that tells

@@ -30,6 +30,7 @@ public final class JdbiEventArchive implements EventArchive {
           isFamily ? filter.kind().replaceAll("[%_]", "") + ".%" : filter.kind());
     }
     add(conditions, "kind not like :h", filter.users() ? null : "user.%");
+    add(conditions, "kind not like :k", filter.users() ? null : "notice.%");
     add(conditions, "kind not like :j", filter.sites() ? null : "site.%");
     add(conditions, "at >= :f", filter.from());
     add(conditions, "at < :g", filter.until());

@@ -21,6 +21,7 @@ import java.util.stream.Collectors;
 import org.jdbi.v3.core.Handle;
 import org.jdbi.v3.core.Jdbi;
 import org.jdbi.v3.core.statement.PreparedBatch;
+import org.toqa.fleet.EventKind;
 import org.toqa.notices.Channel;
 import org.toqa.notices.Condition;
 import org.toqa.notices.Delivery;
@@ -35,6 +36,7 @@ import org.toqa.notices.Person;
 import org.toqa.notices.QuietHours;
 import org.toqa.notices.Webhook;
 import org.toqa.notices.WebhookSecret;
+import org.toqa.wording.Phrase;
 
 /** Notices, and what is still to be told of them. */
 public final class JdbiNoticeStore implements NoticeStore {
@@ -559,39 +561,75 @@ public final class JdbiNoticeStore implements NoticeStore {
                   .executeAndReturnGeneratedKeys("id")
                   .mapTo(Long.class)
                   .one();
+          addEvent(h, now, EventKind.NOTICE_WEBHOOK_ADDED, Phrase.WEBHOOK_ADDED, id, url, by);
           return new Webhook(id, url, secret, kinds, true, now, by);
         });
   }
 
   @Override
-  public boolean changeWebhook(long id, URI url, Set<NoticeKind> kinds, boolean enabled) {
-    return isDone(
-        "update webhooks set url = :url, kinds = :kinds, enabled = :enabled where id = :id",
-        Map.of(
-            "id",
-            id,
-            "url",
-            url.toString(),
-            "kinds",
-            String.join(BETWEEN, words(kinds)),
-            "enabled",
-            enabled));
+  public boolean changeWebhook(
+      long id, URI url, Set<NoticeKind> kinds, boolean enabled, Instant now, String by) {
+    return sql.inTransaction(
+        h -> {
+          boolean done =
+              h.createUpdate(
+                          """
+                          update webhooks set url = :url, kinds = :kinds, enabled = :enabled
+                          where id = :id
+                          """)
+                      .bind("id", id)
+                      .bind("url", url.toString())
+                      .bind("kinds", String.join(BETWEEN, words(kinds)))
+                      .bind("enabled", enabled)
+                      .execute()
+                  == 1;
+          if (done) {
+            addEvent(h, now, EventKind.NOTICE_WEBHOOK_CHANGED, Phrase.WEBHOOK_CHANGED, id, url, by);
+          }
+          return done;
+        });
   }
 
   @Override
-  public boolean setSecret(long id, WebhookSecret secret) {
-    return isDone(
-        "update webhooks set secret = :secret where id = :id",
-        Map.of("id", id, "secret", secret.text()));
+  public boolean setSecret(long id, WebhookSecret secret, Instant now, String by) {
+    return sql.inTransaction(
+        h -> {
+          Optional<URI> url = webhookUrl(h, id);
+          h.createUpdate("update webhooks set secret = :secret where id = :id")
+              .bind("id", id)
+              .bind("secret", secret.text())
+              .execute();
+          EventKind kind = EventKind.NOTICE_WEBHOOK_SECRET;
+          url.ifPresent(
+              to -> addEvent(h, now, kind, Phrase.WEBHOOK_SECRET_RENEWED, id, to, by));
+          return url.isPresent();
+        });
   }
 
   @Override
-  public boolean deleteWebhook(long id) {
-    return isDone("delete from webhooks where id = :id", Map.of("id", id));
+  public boolean deleteWebhook(long id, Instant now, String by) {
+    return sql.inTransaction(
+        h -> {
+          Optional<URI> url = webhookUrl(h, id);
+          h.createUpdate("delete from webhooks where id = :id").bind("id", id).execute();
+          EventKind kind = EventKind.NOTICE_WEBHOOK_DELETED;
+          url.ifPresent(to -> addEvent(h, now, kind, Phrase.WEBHOOK_DELETED, id, to, by));
+          return url.isPresent();
+        });
   }
 
-  private boolean isDone(String statement, Map<String, ?> values) {
-    return sql.withHandle(h -> h.createUpdate(statement).bindMap(values).execute()) == 1;
+  private static Optional<URI> webhookUrl(Handle h, long id) {
+    return h.createQuery("select url from webhooks where id = :id")
+        .bind("id", id)
+        .mapTo(String.class)
+        .findOne()
+        .map(URI::create);
+  }
+
+  /** The host alone is told: what follows it may be secret. */
+  private static void addEvent(
+      Handle h, Instant at, EventKind kind, Phrase phrase, long id, URI url, String by) {
+    EventTable.addAccountEvent(h, at, kind, by, phrase.with(by, id, String.valueOf(url.getHost())));
   }
 
   @Override

@@ -549,6 +549,12 @@ public enum Phrase {
   NOTICE_ROBOT_LOST,
   NOTICE_ROBOT_NOT_LOCALISED,
 
+  // What happened to a webhook
+  WEBHOOK_ADDED,
+  WEBHOOK_CHANGED,
+  WEBHOOK_DELETED,
+  WEBHOOK_SECRET_RENEWED,
+
   // What happened to a site
   SITE_ADDED,
   SITE_REMOVED,

@@ -107,7 +107,7 @@ export class ReplayData {
       trajectories: new Map([...tracks].map(([robot, track]) => [robot, new Trajectory(track)])),
       loads: [...loads.values()],
       paths: Map.groupBy(paths.values(), ({robot}) => robot),
-      events: events.filter(({kind}) => !kind.startsWith('user.')),
+      events: events.filter(({kind}) => !/^(user|notice)\./.test(kind)),
     };
   }
 

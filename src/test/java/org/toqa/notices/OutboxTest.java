@@ -353,7 +353,7 @@ class OutboxTest {
     Webhook off = addWebhook(url("/hook"));
     Webhook on = addWebhook(url("/hook"));
     accept(lost(), false);
-    store.changeWebhook(off.id(), off.url(), Set.of(NoticeKind.ROBOT_LOST), false);
+    store.changeWebhook(off.id(), off.url(), Set.of(NoticeKind.ROBOT_LOST), false, START, "Max");
     try (Outbox _ = outbox(loopback())) {
       await(() -> requests.size() == 1);
       assertEquals(
@@ -363,7 +363,7 @@ class OutboxTest {
                   Long.parseLong(requests.getFirst().stamp()),
                   requests.getFirst().body()),
           requests.getFirst().signature());
-      store.changeWebhook(off.id(), off.url(), Set.of(NoticeKind.ROBOT_LOST), true);
+      store.changeWebhook(off.id(), off.url(), Set.of(NoticeKind.ROBOT_LOST), true, START, "Max");
       await(() -> requests.size() == 2);
     }
   }

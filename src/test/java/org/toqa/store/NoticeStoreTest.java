@@ -20,6 +20,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.toqa.accounts.AccountStore;
 import org.toqa.accounts.Role;
+import org.toqa.fleet.history.EventArchive;
 import org.toqa.notices.Channel;
 import org.toqa.notices.Condition;
 import org.toqa.notices.Delivery;
@@ -230,17 +231,34 @@ class NoticeStoreTest extends DatabaseTest {
     assertEquals("no", requireNonNull(store.lastOutcomes().get(added.id())).failure());
 
     URI other = URI.create("https://example.org/other");
-    assertTrue(store.changeWebhook(added.id(), other, Set.of(NoticeKind.SERVER), false));
+    assertTrue(store.changeWebhook(added.id(), other, Set.of(NoticeKind.SERVER), false, AT, "Mia"));
     WebhookSecret renewed = WebhookSecret.random();
-    assertTrue(store.setSecret(added.id(), renewed));
+    assertTrue(store.setSecret(added.id(), renewed, AT, "Mia"));
     assertEquals(
         List.of(
             new Webhook(added.id(), other, renewed, Set.of(NoticeKind.SERVER), false, AT, "Max")),
         store.webhooks());
 
-    assertTrue(store.deleteWebhook(added.id()));
-    assertFalse(store.deleteWebhook(added.id()));
+    assertTrue(store.deleteWebhook(added.id(), AT, "Mia"));
+    assertFalse(store.deleteWebhook(added.id(), AT, "Mia"));
+    assertFalse(store.changeWebhook(added.id(), url, NoticeKind.ALL, true, AT, "Mia"));
+    assertFalse(store.setSecret(added.id(), secret, AT, "Mia"));
+    assertEquals(
+        List.of(
+            "Mia removed webhook %d to example.org",
+            "Mia renewed the secret of webhook %d to example.org",
+            "Mia changed webhook %d to example.org",
+            "Max added webhook %d to example.org"),
+        history(true).stream().map(text -> text.replace(" " + added.id() + " ", " %d ")).toList());
+    assertEquals(List.of(), history(false), "only managers may know");
     assertEquals(List.of(), entries(ALL).getFirst().deliveries());
+  }
+
+  private List<String> history(boolean isManager) {
+    EventArchive.Filter filter =
+        new EventArchive.Filter(null, null, null, null, null, null, isManager);
+    return new JdbiEventArchive(database.jdbi())
+        .events(filter, Long.MAX_VALUE, 10).stream().map(entry -> entry.event().text()).toList();
   }
 
   @Test

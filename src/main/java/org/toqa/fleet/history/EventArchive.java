@@ -33,7 +33,7 @@ public interface EventArchive {
    * @param user who did it, or {@code toqa}
    * @param from the first moment
    * @param until the first moment after it
-   * @param users whether what managers did with users is wanted too
+   * @param users whether what managers did with users and webhooks is wanted too
    * @param sites whether what administrators did with sites is wanted too
    * @param floor that it concerns
    */

@@ -107,7 +107,15 @@ public final class WebhooksResource extends ApiHandler {
     boolean enabled = fields.flag("enabled");
     fields.refuseUnknown();
     throwIfAny(errors);
-    notices.store().changeWebhook(webhook.id(), order.url(), order.kinds(), enabled);
+    notices
+        .store()
+        .changeWebhook(
+            webhook.id(),
+            order.url(),
+            order.kinds(),
+            enabled,
+            services(request).clock().instant(),
+            Caller.of(request).name());
     Json.send(request, response, 200, WebhookJson.of(webhook(request), null, null));
   }
 
@@ -115,7 +123,14 @@ public final class WebhooksResource extends ApiHandler {
       throws IOException {
     Webhook webhook = webhook(request);
     WebhookSecret secret = WebhookSecret.random();
-    services(request).notices().store().setSecret(webhook.id(), secret);
+    services(request)
+        .notices()
+        .store()
+        .setSecret(
+            webhook.id(),
+            secret,
+            services(request).clock().instant(),
+            Caller.of(request).name());
     Json.send(request, response, 200, WebhookJson.of(webhook, secret, null));
   }
 
@@ -132,7 +147,13 @@ public final class WebhooksResource extends ApiHandler {
   }
 
   public static void delete(HttpServletRequest request, HttpServletResponse response) {
-    services(request).notices().store().deleteWebhook(webhook(request).id());
+    services(request)
+        .notices()
+        .store()
+        .deleteWebhook(
+            webhook(request).id(),
+            services(request).clock().instant(),
+            Caller.of(request).name());
     response.setStatus(HttpServletResponse.SC_NO_CONTENT);
   }
 

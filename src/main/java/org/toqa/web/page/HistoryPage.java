@@ -18,7 +18,7 @@ public final class HistoryPage extends PageHandler {
   private static final int PAGE_SIZE = 100;
   private static final List<String> FAMILIES =
       List.of("task", "schedule", "robot", "fleet", "floor", "traffic");
-  private static final String USERS = "user";
+  private static final List<String> OF_MANAGERS = List.of("user", "notice");
   private static final String SITES = "site";
 
   public static void show(HttpServletRequest request, HttpServletResponse response)
@@ -27,7 +27,7 @@ public final class HistoryPage extends PageHandler {
         "families",
         Stream.of(
                 FAMILIES.stream(),
-                Caller.of(request).isManager() ? Stream.of(USERS) : Stream.<String>empty(),
+                Caller.of(request).isManager() ? OF_MANAGERS.stream() : Stream.<String>empty(),
                 Caller.of(request).isAdministrator() ? Stream.of(SITES) : Stream.<String>empty())
             .flatMap(Function.identity())
             .toList());

@@ -118,7 +118,9 @@ public final class WebhooksPage extends PageHandler {
             webhook.get().id(),
             order.get().url(),
             order.get().kinds(),
-            request.getParameter("enabled") != null);
+            request.getParameter("enabled") != null,
+            services(request).clock().instant(),
+            Caller.of(request).name());
     redirect(request, response, PATH + "?done=changed");
   }
 
@@ -127,7 +129,14 @@ public final class WebhooksPage extends PageHandler {
     Optional<Webhook> webhook = webhook(request, response);
     if (webhook.isPresent()) {
       WebhookSecret secret = WebhookSecret.random();
-      services(request).notices().store().setSecret(webhook.get().id(), secret);
+      services(request)
+          .notices()
+          .store()
+          .setSecret(
+              webhook.get().id(),
+              secret,
+              services(request).clock().instant(),
+              Caller.of(request).name());
       showSecretOnce(request, secret);
       redirect(request, response, PATH + "?done=secret");
     }
@@ -155,7 +164,13 @@ public final class WebhooksPage extends PageHandler {
       throws ServletException, IOException {
     Optional<Webhook> webhook = webhook(request, response);
     if (webhook.isPresent()) {
-      services(request).notices().store().deleteWebhook(webhook.get().id());
+      services(request)
+          .notices()
+          .store()
+          .deleteWebhook(
+              webhook.get().id(),
+              services(request).clock().instant(),
+              Caller.of(request).name());
       redirect(request, response, PATH + "?done=deleted");
     }
   }
