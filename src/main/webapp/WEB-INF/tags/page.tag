@@ -3,6 +3,8 @@
 <%@ attribute name="here" description="the entry of the navigation that is shown" %>
 <%@ attribute name="script" description="a module of assets/js" %>
 <%@ attribute name="layout" description="a class of the main part" %>
+<%@ attribute name="urgent" fragment="true" description="what the page has to say above all, more urgent than anything else" %>
+<%@ attribute name="remark" fragment="true" description="likewise, less urgent" %>
 <%@ taglib prefix="c" uri="jakarta.tags.core" %>
 <%@ taglib prefix="fmt" uri="jakarta.tags.fmt" %>
 <%@ taglib prefix="t" tagdir="/WEB-INF/tags" %>
@@ -20,7 +22,7 @@
   <c:if test="${not empty script or not empty caller}"><script type="module" src="${root}/assets/js/${empty script ? 'shared/live.js' : script}"></script></c:if>
   <c:if test="${not empty caller}"><script type="module" src="${root}/assets/js/notices/bell.js"></script></c:if>
   <script type="module" src="${root}/assets/js/shared/times.js"></script>
-  <c:if test="${not empty caller}"><script type="module" src="${root}/assets/js/shared/menu.js"></script></c:if>
+  <c:if test="${not empty caller}"><script type="module" src="${root}/assets/js/shared/menu.js"></script><script type="module" src="${root}/assets/js/shared/banners.js"></script></c:if>
   <c:if test="${not empty errors}"><script type="module" src="${root}/assets/js/shared/first-fault.js"></script></c:if>
   <c:if test="${pageContext.request.queryString.contains('done=')}"><script type="module" src="${root}/assets/js/shared/told-once.js"></script></c:if>
 </head>
@@ -71,9 +73,14 @@
   </c:if>
   <c:if test="${not empty caller}">
     <t:pause/>
+    <div id="banners">
+    <jsp:invoke fragment="urgent"/>
     <c:url value="/" var="login"><c:param name="next" value="${address}"/></c:url>
     <p id="offline" class="notice bad" role="alert" hidden><span data-connection="disconnected"><fmt:message key="map.disconnected"/></span><span data-connection="loggedOut"><fmt:message key="map.loggedOut"/>${" "}<a href="<c:out value="${login}"/>"><fmt:message key="map.loggedOut.link"/></a></span></p>
     <div id="alerts" role="alert"><c:forEach items="${alerts}" var="alert"><p class="notice bad"><t:said sentence="${alert}"/></p></c:forEach></div>
+    <jsp:invoke fragment="remark"/>
+    </div>
+    <button type="button" id="more-banners" class="outline secondary" aria-controls="banners" data-more="<fmt:message key="banners.more"/>" data-less="<fmt:message key="banners.less"/>" hidden></button>
   </c:if>
   <main id="content" class="${layout}">
     <jsp:doBody/>

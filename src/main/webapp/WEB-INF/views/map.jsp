@@ -18,6 +18,12 @@
 <fmt:message key="replay.back" var="back"/>
 <fmt:message key="replay.forward" var="forward"/>
 <t:page title="${title}" here="map" script="map/map.js" layout="live-map">
+<jsp:attribute name="urgent">
+    <p id="banner" class="notice bad" role="alert" hidden></p>
+    <p id="replay-failed" class="notice bad" role="alert" hidden><fmt:message key="replay.failed"/></p>
+</jsp:attribute>
+<jsp:attribute name="remark"><p id="replay-banner" class="notice warn" role="status" hidden><strong><fmt:message key="replay.banner"/></strong></p></jsp:attribute>
+<jsp:body>
   <h1 class="unseen">${title}</h1>
   <section class="map-panel">
     <div class="summary">
@@ -40,9 +46,6 @@
         <p id="age" class="age" data-state="connecting"><fmt:message key="map.connecting"/></p>
       </div>
     </div>
-    <p id="banner" class="notice bad" role="alert" hidden></p>
-    <p id="replay-banner" class="notice warn" role="status" hidden><strong><fmt:message key="replay.banner"/></strong></p>
-    <p id="replay-failed" class="notice bad" role="alert" hidden><fmt:message key="replay.failed"/></p>
     <noscript><p class="notice bad"><fmt:message key="map.noscript"/></p></noscript>
     <div class="canvas">
       <canvas id="map" tabindex="0" role="img" aria-label="${canvasLabel}"></canvas>
@@ -149,4 +152,5 @@
   <c:set var="stateKeys" value=""/>
   <c:forEach items="${robotStates}" var="state"><c:set var="stateKeys" value="${stateKeys} robot.state.${state} robot.letter.${state}"/></c:forEach>
   <t:texts keys="map.live map.speedLimit map.age map.measure.start map.measure.goal map.measure.asking map.measure.metres map.measure.cells map.measure.failed map.seenAgo replay.label replay.play replay.pause replay.driving replay.stopped replay.task replay.loadAt replay.loadOn replay.loading replay.none map.disconnected map.loggedOut map.loggedOut.link map.failed map.standstill map.charger map.chargers map.leftLoad map.tasks.more common.comma task.state.QUEUED task.state.ASSIGNED task.state.TO_OBJECT task.state.CARRYING task.state.RETURNING${stateKeys}"/>
+</jsp:body>
 </t:page>

@@ -15,10 +15,26 @@
   </div>
   <t:errors/>
   <c:if test="${not empty param.added}"><p class="notice good" role="status"><fmt:message key="schedules.added"/></p></c:if>
-  <c:if test="${fn:length(floors) > 1 or not empty param.floor}">
-    <form method="get" action="${root}/schedules" class="filter"><t:floor-choice/><button><fmt:message key="history.filter"/></button></form>
+  <c:if test="${count > 0 or isFiltered or not empty errors}">
+    <details ${isFiltered or not empty errors ? 'open' : ''}>
+      <summary><fmt:message key="tasks.filter"/></summary>
+      <form method="get" action="${root}/schedules" class="filter" role="search">
+        <label><fmt:message key="schedules.filter.text"/>
+          <input name="text" type="search" value="<c:out value="${param.text}"/>" dir="auto" autocomplete="off">
+        </label>
+        <label><fmt:message key="robots.column.state"/>
+          <select name="state" ${empty errors.state ? '' : 'aria-invalid="true"'}>
+            <option value=""><fmt:message key="history.all"/></option>
+            <c:forEach items="${states}" var="state"><option value="${state.word()}" ${param.state == state.word() ? 'selected' : ''}><fmt:message key="schedules.filter.${state.word()}"/></option></c:forEach>
+          </select>
+          <c:if test="${not empty errors.state}"><small><bdi><c:out value="${errors.state}"/></bdi></small></c:if>
+        </label>
+        <t:floor-choice/>
+        <button><fmt:message key="history.filter"/></button>
+      </form>
+    </details>
   </c:if>
-  <c:if test="${empty entries}"><p class="notice"><fmt:message key="schedules.empty"/></p></c:if>
+  <c:if test="${empty entries}"><p class="notice"><fmt:message key="${isFiltered ? 'schedules.filter.none' : 'schedules.empty'}"/></p></c:if>
   <c:if test="${not empty entries}">
     <table class="stacks">
       <thead>
@@ -79,5 +95,6 @@
         </c:forEach>
       </tbody>
     </table>
+    <t:pages path="/schedules" kept="text,state,floor"/>
   </c:if>
 </t:page>

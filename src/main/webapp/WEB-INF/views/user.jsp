@@ -21,7 +21,24 @@
   <c:if test="${own}"><p><a href="${root}/notices/settings"><fmt:message key="notices.settings.link"/></a></p></c:if>
   <article class="card">
     <h2><fmt:message key="users.sessions"/></h2>
-    <c:if test="${empty sessions}"><p class="faint"><fmt:message key="users.sessions.none"/></p></c:if>
+    <c:if test="${sessionCount > 8 or isFiltered}">
+      <details ${isFiltered ? 'open' : ''}>
+        <summary><fmt:message key="tasks.filter"/></summary>
+        <form method="get" action="${root}/users/${user.id}" class="filter" role="search">
+          <label><fmt:message key="users.sessions.filter.text"/>
+            <input name="text" type="search" value="<c:out value="${param.text}"/>" dir="auto" autocomplete="off">
+          </label>
+          <label><fmt:message key="users.sessions.filter.kind"/>
+            <select name="kind">
+              <option value=""><fmt:message key="history.all"/></option>
+              <c:forEach items="${kinds}" var="kind"><option value="${fn:toLowerCase(kind)}" ${param.kind == fn:toLowerCase(kind) ? 'selected' : ''}><fmt:message key="users.session.${kind}"/></option></c:forEach>
+            </select>
+          </label>
+          <button><fmt:message key="history.filter"/></button>
+        </form>
+      </details>
+    </c:if>
+    <c:if test="${empty sessions}"><p class="faint"><fmt:message key="${isFiltered ? 'users.sessions.filter.none' : 'users.sessions.none'}"/></p></c:if>
     <c:if test="${not empty sessions}">
       <table class="stacks">
         <thead>
@@ -35,12 +52,19 @@
           </tr>
         </thead>
         <tbody>
-          <c:forEach items="${sessions}" var="session">
+          <c:forEach items="${sessions}" var="line">
+            <c:set var="session" value="${line.session}"/>
             <tr>
               <th scope="row" class="whole">
                 <c:choose><c:when test="${not empty session.name}"><fmt:message key="users.session.token"/>${" "}<q><bdi><c:out value="${session.name}"/></bdi></q> (<c:forEach items="${scopes}" var="scope"><c:if test="${session.scopes.contains(scope)}"> <bdi>${scope.word()}</bdi></c:if></c:forEach>)</c:when><c:otherwise><fmt:message key="users.session.${session.kind}"/></c:otherwise></c:choose>
                 <c:if test="${session.id == caller.session.id}">${" "}(<fmt:message key="users.session.this"/>)</c:if>
-                <p class="faint agent"><bdi dir="ltr"><c:out value="${session.origin.agent}"/></bdi></p>
+                <p class="faint agent">
+                  <c:choose>
+                    <c:when test="${not empty line.agent.program and not empty line.agent.system}"><fmt:message key="users.session.agent"><fmt:param><bdi><c:out value="${line.agent.program}"/></bdi></fmt:param><fmt:param><bdi>${line.agent.system}</bdi></fmt:param></fmt:message></c:when>
+                    <c:when test="${not empty line.agent.program or not empty line.agent.system}"><bdi><c:out value="${line.agent.program}${line.agent.system}"/></bdi></c:when>
+                    <c:otherwise><fmt:message key="users.session.agent.unknown"/></c:otherwise>
+                  </c:choose>
+                </p>
               </th>
               <td data-label="<fmt:message key="users.session.address"/>"><bdi dir="ltr"><c:out value="${session.origin.address}"/></bdi></td>
               <td data-label="<fmt:message key="users.session.begun"/>"><t:time at="${session.createdAt}"/></td>
@@ -60,6 +84,7 @@
           </c:forEach>
         </tbody>
       </table>
+      <t:pages path="/users/${user.id}" kept="text,kind"/>
     </c:if>
     <c:if test="${own}">
       <h3><fmt:message key="users.token.add"/>${" "}<t:help topic="users"/></h3>

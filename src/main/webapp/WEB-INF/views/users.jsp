@@ -7,11 +7,33 @@
 <fmt:message key="users.title" var="title"/>
 <t:page title="${title}" here="user">
   <div class="heading">
-    <h1>${title}</h1>
+    <div>
+      <h1>${title}</h1>
+      <p class="faint"><fmt:message key="users.count"><fmt:param value="${count}"/></fmt:message></p>
+    </div>
     <c:if test="${caller.isAdministrator()}"><a href="${root}/sites"><fmt:message key="sites.title"/></a></c:if>
   </div>
   <c:if test="${param.done == 'added' or param.done == 'deleted'}"><p class="notice good" role="status"><fmt:message key="users.done.${param.done}"/></p></c:if>
-  <t:errors/>
+  <c:set var="isSent" value="${pageContext.request.method == 'POST'}"/>
+  <c:if test="${isSent}"><t:errors/></c:if>
+  <details ${isFiltered or not isSent and not empty errors ? 'open' : ''}>
+    <summary><fmt:message key="tasks.filter"/></summary>
+    <form method="get" action="${root}/users" class="filter" role="search">
+      <label><fmt:message key="users.filter.text"/>
+        <input name="text" type="search" value="${isSent ? '' : fn:escapeXml(param.text)}" dir="auto" autocomplete="off">
+      </label>
+      <label><fmt:message key="users.column.role"/>
+        <select name="role" ${isSent or empty errors.role ? '' : 'aria-invalid="true"'}>
+          <option value=""><fmt:message key="history.all"/></option>
+          <c:forEach items="${roles}" var="one"><option value="${fn:toLowerCase(one)}" ${not isSent and param.role == fn:toLowerCase(one) ? 'selected' : ''}><fmt:message key="users.role.${one}"/></option></c:forEach>
+        </select>
+        <c:if test="${not isSent and not empty errors.role}"><small><bdi><c:out value="${errors.role}"/></bdi></small></c:if>
+      </label>
+      <button><fmt:message key="history.filter"/></button>
+    </form>
+  </details>
+  <c:if test="${empty users}"><p class="notice"><fmt:message key="users.filter.none"/></p></c:if>
+  <c:if test="${not empty users}">
   <table class="stacks">
     <thead>
       <tr>
@@ -32,6 +54,8 @@
       </c:forEach>
     </tbody>
   </table>
+  <t:pages path="/users" kept="text,role"/>
+  </c:if>
   <article class="card">
     <h2><fmt:message key="users.add"/>${" "}<t:help topic="users"/></h2>
     <form method="post" action="${root}/users" novalidate>

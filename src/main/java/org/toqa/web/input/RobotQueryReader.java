@@ -3,7 +3,6 @@ package org.toqa.web.input;
 import jakarta.servlet.http.HttpServletRequest;
 import java.util.Arrays;
 import java.util.List;
-import java.util.Locale;
 import java.util.Optional;
 import java.util.stream.Collectors;
 import org.jspecify.annotations.Nullable;
@@ -14,7 +13,7 @@ import org.toqa.web.Texts;
 
 /** Reads from a request's query which robots are wanted: by name or address, state and floor. */
 public final class RobotQueryReader {
-  private final @Nullable String text;
+  private final SearchText text;
   private final @Nullable RobotState state;
   private final FloorQueryReader floor;
 
@@ -23,8 +22,7 @@ public final class RobotQueryReader {
    */
   public RobotQueryReader(HttpServletRequest request, FieldErrors errors, List<FloorMap> floors) {
     QueryFields fields = new QueryFields(request, errors);
-    String given = fields.text("text");
-    text = given == null ? null : comparable(Digits.latin(given));
+    text = SearchText.of(fields);
     String word = fields.text("state");
     Optional<RobotState> found =
         Arrays.stream(RobotState.values()).filter(one -> one.name().equals(word)).findFirst();
@@ -39,23 +37,16 @@ public final class RobotQueryReader {
 
   /** Whether not all are wanted. */
   public boolean isFiltered() {
-    return text != null || state != null || floor.floor() != null;
+    return text.isGiven() || state != null || floor.floor() != null;
   }
 
   /** Those of the robots that are wanted, in their order. */
   public List<RobotView> filter(List<RobotView> all) {
     return floor.filter(all, RobotView::floor).stream()
         .filter(robot -> state == null || robot.state() == state)
-        .filter(robot -> text == null || hasText(robot, text))
+        .filter(
+            robot ->
+                text.isIn(robot.name(), robot.record().host() + ":" + robot.record().port()))
         .toList();
-  }
-
-  private static boolean hasText(RobotView robot, String text) {
-    return comparable(robot.name()).contains(text)
-        || comparable(robot.record().host() + ":" + robot.record().port()).contains(text);
-  }
-
-  private static String comparable(String text) {
-    return text.toLowerCase(Locale.ROOT);
   }
 }

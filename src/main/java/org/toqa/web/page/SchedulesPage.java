@@ -19,10 +19,12 @@ import org.toqa.web.Texts;
 import org.toqa.web.access.Caller;
 import org.toqa.web.input.FieldErrors;
 import org.toqa.web.input.ScheduleAccess;
+import org.toqa.web.input.ScheduleQueryReader;
 import org.toqa.web.input.Version;
 
 /** All schedules, and operator commands to them. */
 public final class SchedulesPage extends PageHandler {
+  private static final int PAGE_SIZE = 50;
 
   /**
    * A schedule as the page shows it.
@@ -55,13 +57,15 @@ public final class SchedulesPage extends PageHandler {
 
   private static void addAttributes(HttpServletRequest request, FieldErrors errors) {
     Caller caller = Caller.of(request);
+    ScheduleQueryReader query =
+        new ScheduleQueryReader(request, errors, services(request).fleet().floors());
+    List<Schedule> wanted = query.filter(services(request).schedules().schedules());
+    request.setAttribute("count", wanted.size());
+    request.setAttribute("isFiltered", query.isFiltered());
+    request.setAttribute("states", ScheduleQueryReader.State.values());
     request.setAttribute(
         "entries",
-        wantedFloor(request, errors)
-            .filter(
-                services(request).schedules().schedules(),
-                schedule -> schedule.floor(services(request).fleet().floors()))
-            .stream()
+        ListPage.of(request, wanted.size(), PAGE_SIZE).of(wanted).stream()
             .map(schedule -> Entry.of(schedule, caller))
             .toList());
   }

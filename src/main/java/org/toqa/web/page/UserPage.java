@@ -4,6 +4,7 @@ import jakarta.servlet.ServletException;
 import jakarta.servlet.http.HttpServletRequest;
 import jakarta.servlet.http.HttpServletResponse;
 import java.io.IOException;
+import java.util.List;
 import java.util.Optional;
 import java.util.function.BiConsumer;
 import org.jspecify.annotations.Nullable;
@@ -11,6 +12,7 @@ import org.toqa.accounts.Account;
 import org.toqa.accounts.AccountStore;
 import org.toqa.accounts.Role;
 import org.toqa.accounts.Scope;
+import org.toqa.accounts.Session;
 import org.toqa.web.ErrorResponse;
 import org.toqa.web.PasswordLinks;
 import org.toqa.web.RequestPath;
@@ -20,6 +22,7 @@ import org.toqa.web.access.Caller;
 import org.toqa.web.access.SessionCookie;
 import org.toqa.web.input.FieldErrors;
 import org.toqa.web.input.InputRules;
+import org.toqa.web.input.SessionQueryReader;
 import org.toqa.web.input.UserCommands;
 import org.toqa.web.input.UserDeletion;
 import org.toqa.web.input.Version;
@@ -30,6 +33,12 @@ public final class UserPage extends PageHandler {
   private static final String TOKEN = "token";
 
   private static final String LINK = "link";
+
+  /** Sessions. */
+  private static final int PAGE_SIZE = 20;
+
+  /** A session as the page shows it. */
+  public record Line(Session session, AgentName agent) {}
 
   public static void show(HttpServletRequest request, HttpServletResponse response)
       throws ServletException, IOException {
@@ -174,7 +183,16 @@ public final class UserPage extends PageHandler {
     request.setAttribute("user", now);
     request.setAttribute("version", Version.of(now));
     request.setAttribute("scopes", Scope.values());
-    request.setAttribute("sessions", services.sessions().sessions(user.id()));
+    SessionQueryReader query = new SessionQueryReader(request);
+    List<Session> sessions = query.filter(services.sessions().sessions(user.id()));
+    request.setAttribute("isFiltered", query.isFiltered());
+    request.setAttribute("kinds", Session.Kind.values());
+    request.setAttribute("sessionCount", sessions.size());
+    request.setAttribute(
+        "sessions",
+        ListPage.of(request, sessions.size(), PAGE_SIZE).of(sessions).stream()
+            .map(session -> new Line(session, AgentName.of(session.origin().agent())))
+            .toList());
     if (Caller.of(request).isManager()) {
       UserDeletion deletion = new UserDeletion(services, Texts.of(request), new FieldErrors(), now);
       request.setAttribute("belongings", deletion.belongings());

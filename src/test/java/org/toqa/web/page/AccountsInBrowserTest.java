@@ -5,12 +5,16 @@ import static java.util.Objects.requireNonNull;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import com.microsoft.playwright.Locator;
 import com.microsoft.playwright.Page;
 import com.microsoft.playwright.options.AriaRole;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 import org.toqa.accounts.Role;
+import org.toqa.web.TestClient;
 import org.toqa.web.TestMailbox;
 import org.toqa.web.WebTestServer;
 
@@ -92,5 +96,58 @@ class AccountsInBrowserTest extends PagesInBrowser {
     assertThat(page.locator("#age")).containsText("Live");
     page.navigate(server.root() + link.group(1));
     assertThat(page.locator("main")).containsText("This link is no longer valid");
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"en", "ar"})
+  void longListsAreSearchedPageByPageAndTheAddressKeepsIt(String language) {
+    for (int i = 1; i <= 55; i++) {
+      server.addUser("driver-" + language + i, null, i == 7 ? Role.VIEWER : Role.CLERK);
+    }
+    Page page = loggedIn(WebTestServer.MANAGER, DESK, "language/" + language);
+    page.navigate(server.root() + "users?text=DRIVER-" + language);
+    assertThat(page.locator("tbody tr")).hasCount(50);
+    page.locator("a[rel=next]").click();
+    assertThat(page.locator("tbody tr")).hasCount(5);
+    page.locator(".filter select[name=role]").selectOption("viewer");
+    page.locator(".filter button").click();
+    assertThat(page.locator("tbody tr")).containsText("driver-" + language + "7");
+    page.reload();
+    assertThat(page.locator("tbody tr")).hasCount(1);
+    assertFits(page, "users-searched-" + language, DESK, PHONE);
+
+    try (TestClient manager = TestClient.signedIn(server.root(), WebTestServer.MANAGER)) {
+      addSchedules(manager);
+    }
+    page.navigate(server.root() + "schedules?text=morning&state=active");
+    assertThat(page.locator("tbody tr")).hasCount(3);
+    page.locator("tbody form[action$='/pause'] button").first().click();
+    page.navigate(server.root() + "schedules?state=paused");
+    assertThat(page.locator("tbody tr")).hasCount(1);
+    assertFits(page, "schedules-searched-" + language, DESK, PHONE);
+    page.navigate(server.root() + "schedules?text=nothing+like+it");
+    assertThat(page.locator("main .notice")).isVisible();
+    page.navigate(server.root() + "schedules?state=late");
+    assertThat(page.locator("select[name=state]")).isFocused();
+
+    String name = "busy-" + language;
+    server.addUser(name, null, Role.CLERK);
+    for (int i = 0; i < 22; i++) {
+      TestClient.signedIn(server.root(), name).close();
+    }
+    page.navigate(server.root() + "users?text=" + name);
+    page.locator("tbody a").click();
+    assertThat(page.locator("tbody tr")).hasCount(20);
+    page.locator("a[rel=next]").click();
+    assertThat(page.locator("tbody tr")).hasCount(2);
+    assertFits(page, "sessions-" + language, DESK, PHONE);
+    page.locator("main details summary").first().click();
+    page.locator(".filter select[name=kind]").selectOption("token");
+    page.locator(".filter button").click();
+    assertThat(page.locator("tbody tr")).hasCount(0);
+    page.navigate(server.root() + "users?text=" + WebTestServer.MANAGER);
+    page.locator("tbody a").click();
+    assertThat(page.locator(".agent").filter(new Locator.FilterOptions().setHasText("Linux")))
+        .hasText(language.equals("en") ? "Chrome on Linux" : "Chrome على Linux");
   }
 }

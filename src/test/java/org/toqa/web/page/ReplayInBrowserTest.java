@@ -191,6 +191,11 @@ class ReplayInBrowserTest extends PagesInBrowser {
     server.fleet().setAlert("The battery of the lamp is low.");
     assertThat(page().locator("#alerts")).containsText("The battery of the lamp is low.");
     assertThat(page().locator("#banner")).isHidden();
+    assertThat(page().locator("#replay-banner")).isHidden(); // less urgent
+    button("Show 1 more").click();
+    assertThat(page().locator("#replay-banner")).isVisible();
+    button("Show only the most urgent").click();
+    assertThat(page().locator("#replay-banner")).isHidden();
     assertThat(events()).hasText(new String[] {"r1 drives off"});
 
     button("Back to live").click();
