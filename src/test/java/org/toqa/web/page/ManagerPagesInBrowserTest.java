@@ -8,8 +8,10 @@ import com.microsoft.playwright.Locator;
 import com.microsoft.playwright.Page;
 import com.microsoft.playwright.Route;
 import com.microsoft.playwright.options.AriaRole;
+import java.time.Instant;
 import java.util.List;
 import java.util.Map;
+import java.util.UUID;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.atomic.AtomicReference;
 import java.util.regex.Pattern;
@@ -17,6 +19,7 @@ import java.util.stream.IntStream;
 import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.toqa.accounts.Role;
 import org.toqa.fleet.ManualOrder;
@@ -25,9 +28,14 @@ import org.toqa.fleet.RobotView;
 import org.toqa.geometry.Pose;
 import org.toqa.grid.CellRuns;
 import org.toqa.link.message.AgentMessage.Fault;
+import org.toqa.notices.Condition;
+import org.toqa.notices.Notice;
+import org.toqa.notices.NoticeKind;
+import org.toqa.notices.NoticeStore.Change;
 import org.toqa.testbed.Views;
 import org.toqa.web.TestClient;
 import org.toqa.web.WebTestServer;
+import org.toqa.wording.Phrase;
 
 /** What managers do with robots and users, in a real browser. */
 class ManagerPagesInBrowserTest extends PagesInBrowser {
@@ -57,6 +65,88 @@ class ManagerPagesInBrowserTest extends PagesInBrowser {
     picture(page, "robot-out-of-service");
     page.getByText("Put back in service").click();
     assertThat(page.locator(".heading .state")).hasText("Idle");
+  }
+
+  /** He adds a user, plans a task, changes the map, pauses the fleet and looks at what there is. */
+  @ParameterizedTest
+  @CsvSource({"en, true", "ar, false"})
+  void aManagersDay(String language, boolean byKeyboard) {
+    Screen screen = byKeyboard ? DESK : PHONE;
+    Day day = dayOf(WebTestServer.MANAGER, language, byKeyboard);
+    Page page = day.page();
+    day.go("users");
+    day.write("#name", "Nina-" + language);
+    day.write("#password", WebTestServer.PASSWORD);
+    day.choose("#role", "OPERATOR");
+    day.press("main article form button");
+    assertThat(page.locator(".notice.good")).isVisible();
+    assertThat(page.locator("tbody")).containsText("Nina-" + language);
+
+    day.go("tasks");
+    day.press("main a[href$='/tasks/new']");
+    day.write("#name", "Morning tour");
+    day.write("#load", "2.5");
+    day.choose("#startStation", "Dock A");
+    day.choose("#goalStation", "Shelf 3");
+    day.choose("#when", "weekly");
+    day.press("[name=weekday][value=MONDAY]");
+    day.write("#time", byKeyboard ? "0800AM" : "08:00");
+    day.press("form.task > .choices button");
+    assertThat(page.locator("tbody tr")).containsText("Morning tour");
+    assertThat(page.locator("tbody tr")).containsText("08:00");
+
+    changeMap(day, byKeyboard);
+    assertFits(page, "manager-map-" + language, screen);
+
+    day.press("#pause form[action$='/pause'] button");
+    assertThat(page.locator("#pause.paused")).isVisible();
+    day.press("#pause summary");
+    day.press("#pause form[action$='/resume'] button");
+    assertThat(page.locator("#pause.paused")).hasCount(0);
+
+    Condition refused =
+        new Condition(
+            NoticeKind.SCHEDULE_REFUSED,
+            language,
+            "hall",
+            null,
+            null,
+            null,
+            Phrase.SCHEDULE_REFUSED.with(1, "Max", Phrase.NO_SUCH_FLOOR.with("attic")));
+    Notice notice = new Notice(0, UUID.randomUUID(), refused, Instant.now(), null);
+    server.notices().add(List.of(new Change(notice, false, List.of())), Instant.now(), _ -> false);
+    day.press(".bell");
+    assertThat(page.locator("tbody tr").first()).containsText("attic");
+    day.press("tbody form[action$='/seen'] button");
+    assertThat(page.locator("tbody form[action$='/seen']")).hasCount(0);
+    assertFits(page, "manager-notices-" + language, screen);
+    day.go("statistics");
+    assertThat(page.locator("h1")).isVisible();
+    day.go("settings");
+    assertThat(page.locator("#logLevel")).isVisible();
+    day.logOut();
+  }
+
+  /** Draws something, and publishes it. */
+  private static void changeMap(Day day, boolean byKeyboard) {
+    Page page = day.page();
+    day.go("floors");
+    day.press("main a[href$='/edit']");
+    assertThat(page.locator("#things li")).hasCount(6);
+    if (byKeyboard) {
+      day.press("[data-tool=parking]");
+      day.press("#map");
+      page.keyboard().press("ArrowRight");
+      page.keyboard().press("Enter");
+    } else {
+      day.press("[data-tool=parking]");
+      clickMap(page, page.locator("#map"), 8.25, 3.15);
+    }
+    assertThat(page.locator("#things li")).hasCount(7);
+    day.press("#publish");
+    day.press("#publish-sure");
+    assertThat(page.locator("#publishing")).isHidden();
+    assertThat(page.locator("#problems-summary")).isVisible();
   }
 
   @ParameterizedTest

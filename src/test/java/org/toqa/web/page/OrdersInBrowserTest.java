@@ -11,6 +11,8 @@ import com.microsoft.playwright.Page;
 import java.util.List;
 import java.util.Map;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.toqa.fleet.RobotState;
 import org.toqa.fleet.RobotView;
 import org.toqa.geometry.Pose;
@@ -149,29 +151,61 @@ class OrdersInBrowserTest extends PagesInBrowser {
     assertFits(page, "order-ar", DESK, PHONE);
   }
 
-  @Test
-  void aTourIsOrderedFollowedAndLetGoOnAtItsStop() {
-    Page page = loggedIn(WebTestServer.CLERK, DESK, "tasks/new");
-    fillTask(page);
-    page.locator("details.stops summary").click();
-    page.locator("select[name=goalWait]").selectOption("person");
-    page.locator("select[name=stopStation]").first().selectOption("Dock A");
-    page.locator("select[name=stopWait]").first().selectOption("300");
-    assertFits(page, "new-tour", DESK, PHONE);
-    click(button(page, "Create task"));
+  /** He orders a tour and sees to it, gives up another task, looks at what is his, and goes home. */
+  @ParameterizedTest
+  @CsvSource({"en, true", "ar, false"})
+  void aClerksDay(String language, boolean byKeyboard) {
+    Day day = dayOf(WebTestServer.CLERK, language, byKeyboard);
+    Page page = day.page();
+    order(day, "Drums");
+    day.press("details.stops:has([name=stopStation]) summary");
+    day.choose("select[name=goalWait]", "person");
+    day.choose("select[name=stopStation]", "Dock A");
+    day.choose("select[name=stopWait]", "300");
+    day.choose("#carriedBy", "one");
+    assertFits(page, "new-tour-" + language, byKeyboard ? DESK : PHONE);
+    day.press("form.task > .choices button");
     Locator stops = page.locator("ol.stops li");
     assertThat(stops).hasCount(3);
-    assertThat(stops.nth(1)).containsText("waits until somebody says “Go on”");
-    assertThat(stops.nth(2)).containsText("waits 300 s");
 
+    server.fleet().changeTask(1, TaskState.CARRYING, List.of("r1"), "r1 carries the load.");
+    day.go("map");
+    assertThat(page.locator("#tasks a")).containsText("Drums");
+    day.press("#tasks a");
+    day.press("#actions form[action$='/hold'] button");
+    assertThat(page.locator("#actions form[action$='/resume']")).isVisible();
+    day.press("#actions form[action$='/resume'] button");
+    assertThat(page.locator("#actions form[action$='/hold']")).isVisible();
     server.fleet().waitAtStop(1, 1);
+    day.press("#live form[action$='/go-on'] button");
+    assertThat(page.locator("#live form[action$='/go-on']")).hasCount(0);
+    server.fleet().loseRobotOf(1);
+    assertFits(page, "clerk-question-" + language, byKeyboard ? DESK : PHONE);
+    day.press("#actions button[name=answer][value=wait]");
+    assertThat(page.locator("#actions button[name=answer][value=wait]")).hasCount(0);
 
-    assertThat(stops.nth(1)).containsText("waits here");
-    assertFits(page, "tour", DESK, PHONE);
-    click(button(page, "Go on"));
-    assertThat(stops.nth(1)).containsText("passed");
-    assertThat(stops.nth(2)).containsText("on the way there");
-    assertThat(button(page, "Go on")).hasCount(0);
+    order(day, "Bolts");
+    day.press("form.task > .choices button");
+    assertThat(page.locator("h1")).hasText("Bolts");
+    day.press("#actions details:has(form[action$='/cancel']) summary");
+    day.press("#actions form[action$='/cancel'] button.danger");
+    assertThat(page.locator("#actions form[action$='/cancel']")).hasCount(0);
+    day.go("tasks");
+    day.press("main details summary");
+    day.write(".filter [name=user]", WebTestServer.CLERK);
+    day.press(".filter button");
+    assertThat(page.locator("tbody tr")).hasCount(2);
+    assertFits(page, "clerk-list-" + language, byKeyboard ? DESK : PHONE);
+    day.logOut();
+  }
+
+  private static void order(Day day, String name) {
+    day.go("tasks");
+    day.press("main a[href$='/tasks/new']");
+    day.write("#name", name);
+    day.write("#load", "2.5");
+    day.choose("#startStation", "Dock A");
+    day.choose("#goalStation", "Shelf 3");
   }
 
   private static void fillTask(Page page) {

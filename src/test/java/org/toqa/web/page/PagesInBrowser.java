@@ -164,6 +164,56 @@ abstract class PagesInBrowser extends BrowserTest {
     return page;
   }
 
+  /** Somebody's day: a page that is used by one hand, in a language. */
+  record Day(Page page, Hand hand) {
+    Locator the(String selector) {
+      return page.locator(selector).first();
+    }
+
+    void press(String selector) {
+      hand.press(the(selector));
+    }
+
+    void write(String selector, String text) {
+      hand.write(the(selector), text);
+    }
+
+    void choose(String selector, String value) {
+      hand.choose(the(selector), value);
+    }
+
+    /** By the navigation, where what is seldom wanted is in a menu. */
+    void go(String path) {
+      Locator entry = the(".top nav a[href$='/" + path + "']:visible");
+      if (entry.count() == 0) {
+        press(".more summary");
+      }
+      hand.press(entry);
+      page.waitForURL("**/" + path);
+    }
+
+    void logOut() {
+      press(".top form[action$='/logout'] button");
+      assertThat(page.locator("#password")).isVisible();
+    }
+  }
+
+  /** A day begins with the login, at a desk by the keyboard alone, or on a phone by touch. */
+  Day dayOf(String user, String language, boolean byKeyboard) {
+    Browser.NewContextOptions options = new Browser.NewContextOptions().setTimezoneId("UTC");
+    Screen screen = byKeyboard ? DESK : PHONE;
+    Page page =
+        openPage(
+            options.setViewportSize(screen.width(), screen.height()).setHasTouch(!byKeyboard));
+    Day day = new Day(page, byKeyboard ? new Hand.Keyboard(page) : new Hand.Finger());
+    page.navigate(server.root() + "language/" + language);
+    day.write("#name", user);
+    day.write("#password", WebTestServer.PASSWORD);
+    day.press("main form button");
+    assertThat(page.locator("#map")).isVisible();
+    return day;
+  }
+
   /** By the form, in whatever language. */
   static void logIn(Page page, String user) {
     page.locator("#name").fill(user);
