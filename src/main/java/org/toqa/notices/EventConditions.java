@@ -67,7 +67,8 @@ final class EventConditions {
 
   /** Its number is the first that is said of it; what cannot be read stands for itself. */
   private static String schedule(Sentence said) {
-    @Nullable Object first = said.isVerbatim() || said.values().isEmpty() ? null : said.values().getFirst();
+    @Nullable Object first =
+        said.isVerbatim() || said.values().isEmpty() ? null : said.values().getFirst();
     return first == null ? said.english() : first.toString();
   }
 }

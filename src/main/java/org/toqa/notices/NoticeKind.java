@@ -30,7 +30,9 @@ public enum NoticeKind {
   CHARGER_FAULTY,
   CHARGERS_SHORT(Duration.ofSeconds(30)),
   LOAD_LEFT,
-  /** The fleet refused the task of a schedule when it was due; told for an hour, as it has no end. */
+  /**
+   * The fleet refused the task of a schedule when it was due; told for an hour, as it has no end.
+   */
   SCHEDULE_REFUSED(Duration.ZERO),
   FLOOR_HELD,
   FLEET_PAUSED,

@@ -600,8 +600,7 @@ public final class JdbiNoticeStore implements NoticeStore {
               .bind("secret", secret.text())
               .execute();
           EventKind kind = EventKind.NOTICE_WEBHOOK_SECRET;
-          url.ifPresent(
-              to -> addEvent(h, now, kind, Phrase.WEBHOOK_SECRET_RENEWED, id, to, by));
+          url.ifPresent(to -> addEvent(h, now, kind, Phrase.WEBHOOK_SECRET_RENEWED, id, to, by));
           return url.isPresent();
         });
   }

@@ -327,12 +327,9 @@ public final class FleetServer implements AutoCloseable {
     Outbox outbox =
         new Outbox(store, mail == null ? null : new NoticeLetters(mail), webhooks, clock);
     parts.push(outbox);
-    parts.push(new NoticeRecorder(
-            fleet.snapshots(),
-            new JdbiEventArchive(database.readers()),
-            notices,
-            outbox,
-            clock));
+    parts.push(
+        new NoticeRecorder(
+            fleet.snapshots(), new JdbiEventArchive(database.readers()), notices, outbox, clock));
     return notices;
   }
 

@@ -127,10 +127,7 @@ public final class WebhooksResource extends ApiHandler {
         .notices()
         .store()
         .setSecret(
-            webhook.id(),
-            secret,
-            services(request).clock().instant(),
-            Caller.of(request).name());
+            webhook.id(), secret, services(request).clock().instant(), Caller.of(request).name());
     Json.send(request, response, 200, WebhookJson.of(webhook, secret, null));
   }
 
@@ -151,9 +148,7 @@ public final class WebhooksResource extends ApiHandler {
         .notices()
         .store()
         .deleteWebhook(
-            webhook(request).id(),
-            services(request).clock().instant(),
-            Caller.of(request).name());
+            webhook(request).id(), services(request).clock().instant(), Caller.of(request).name());
     response.setStatus(HttpServletResponse.SC_NO_CONTENT);
   }
 

@@ -45,8 +45,7 @@ public final class RobotQueryReader {
     return floor.filter(all, RobotView::floor).stream()
         .filter(robot -> state == null || robot.state() == state)
         .filter(
-            robot ->
-                text.isIn(robot.name(), robot.record().host() + ":" + robot.record().port()))
+            robot -> text.isIn(robot.name(), robot.record().host() + ":" + robot.record().port()))
         .toList();
   }
 }

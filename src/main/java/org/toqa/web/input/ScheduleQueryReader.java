@@ -71,8 +71,7 @@ public final class ScheduleQueryReader {
         .filter(schedule -> state == null || State.of(schedule) == state)
         .filter(
             schedule ->
-                text.isIn(
-                    Long.toString(schedule.id()), schedule.order().name(), schedule.user()))
+                text.isIn(Long.toString(schedule.id()), schedule.order().name(), schedule.user()))
         .toList();
   }
 }

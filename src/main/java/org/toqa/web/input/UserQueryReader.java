@@ -24,9 +24,7 @@ public final class UserQueryReader {
         Arrays.stream(Role.values()).filter(one -> word(one).equals(word)).findFirst();
     if (word != null && found.isEmpty()) {
       String words =
-          Arrays.stream(Role.values())
-              .map(UserQueryReader::word)
-              .collect(Collectors.joining(", "));
+          Arrays.stream(Role.values()).map(UserQueryReader::word).collect(Collectors.joining(", "));
       errors.add("role", Texts.of(request).get("error.users.role", words));
     }
     role = found.orElse(null);

@@ -168,9 +168,7 @@ public final class WebhooksPage extends PageHandler {
           .notices()
           .store()
           .deleteWebhook(
-              webhook.get().id(),
-              services(request).clock().instant(),
-              Caller.of(request).name());
+              webhook.get().id(), services(request).clock().instant(), Caller.of(request).name());
       redirect(request, response, PATH + "?done=deleted");
     }
   }

@@ -151,7 +151,9 @@ class OrdersInBrowserTest extends PagesInBrowser {
     assertFits(page, "order-ar", DESK, PHONE);
   }
 
-  /** He orders a tour and sees to it, gives up another task, looks at what is his, and goes home. */
+  /**
+   * He orders a tour and sees to it, gives up another task, looks at what is his, and goes home.
+   */
   @ParameterizedTest
   @CsvSource({"en, true", "ar, false"})
   void aClerksDay(String language, boolean byKeyboard) {

@@ -203,8 +203,7 @@ abstract class PagesInBrowser extends BrowserTest {
     Browser.NewContextOptions options = new Browser.NewContextOptions().setTimezoneId("UTC");
     Screen screen = byKeyboard ? DESK : PHONE;
     Page page =
-        openPage(
-            options.setViewportSize(screen.width(), screen.height()).setHasTouch(!byKeyboard));
+        openPage(options.setViewportSize(screen.width(), screen.height()).setHasTouch(!byKeyboard));
     Day day = new Day(page, byKeyboard ? new Hand.Keyboard(page) : new Hand.Finger());
     page.navigate(server.root() + "language/" + language);
     day.write("#name", user);
