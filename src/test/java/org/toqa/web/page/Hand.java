@@ -25,7 +25,8 @@ interface Hand {
   record Keyboard(Page page) implements Hand {
     private static final int MOST_STEPS = 200;
 
-    private void reach(Locator target) {
+    /** Tabs to it. */
+    void reach(Locator target) {
       PlaywrightAssertions.assertThat(target).isVisible();
       for (int i = 0; i < MOST_STEPS; i++) {
         if (isFocused(target)) {

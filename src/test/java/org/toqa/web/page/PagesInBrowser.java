@@ -164,13 +164,24 @@ abstract class PagesInBrowser extends BrowserTest {
     return page;
   }
 
-  /** Somebody's day: a page that is used by one hand, in a language. */
-  record Day(Page page, Hand hand) {
+  /**
+   * Somebody's day: a page that is used by one hand, in a language.
+   *
+   * @param film null: it is not filmed
+   */
+  record Day(Page page, Hand hand, @Nullable Film film) {
     Locator the(String selector) {
       return page.locator(selector).first();
     }
 
+    private void look() {
+      if (film != null) {
+        film.take(page);
+      }
+    }
+
     void press(String selector) {
+      look();
       hand.press(the(selector));
     }
 
@@ -188,23 +199,37 @@ abstract class PagesInBrowser extends BrowserTest {
       if (entry.count() == 0) {
         press(".more summary");
       }
+      look();
       hand.press(entry);
       page.waitForURL("**/" + path);
     }
 
+    /** And goes home. */
     void logOut() {
       press(".top form[action$='/logout'] button");
       assertThat(page.locator("#password")).isVisible();
+      look();
+      if (film != null) {
+        film.close();
+      }
     }
   }
 
-  /** A day begins with the login, at a desk by the keyboard alone, or on a phone by touch. */
+  /**
+   * A day begins with the login, at a desk by the keyboard alone, or on a phone by touch. In a whole
+   * walk {@code target/film} has its film.
+   */
   Day dayOf(String user, String language, boolean byKeyboard) {
     Browser.NewContextOptions options = new Browser.NewContextOptions().setTimezoneId("UTC");
     Screen screen = byKeyboard ? DESK : PHONE;
     Page page =
-        openPage(options.setViewportSize(screen.width(), screen.height()).setHasTouch(!byKeyboard));
-    Day day = new Day(page, byKeyboard ? new Hand.Keyboard(page) : new Hand.Finger());
+        openPage(
+            options.setViewportSize(screen.width(), screen.height()).setHasTouch(!byKeyboard));
+    Day day =
+        new Day(
+            page,
+            byKeyboard ? new Hand.Keyboard(page) : new Hand.Finger(),
+            IS_WHOLE_WALK ? new Film("day-" + user + "-" + language) : null);
     page.navigate(server.root() + "language/" + language);
     day.write("#name", user);
     day.write("#password", WebTestServer.PASSWORD);
