@@ -30,7 +30,7 @@
     <c:if test="${not empty task.loadAt}"><p class="notice"><strong><fmt:message key="task.loadAt"/></strong>${" "}<t:place place="${task.loadAt}"/></p></c:if>
     <c:if test="${task.held}"><p class="notice"><fmt:message key="task.held"/></p></c:if>
     <c:if test="${not empty task.needs}">
-      <p class="notice bad"><strong><fmt:message key="task.needsAttention"/></strong>${" "}<t:said sentence="${task.needs.question}"/></p>
+      <p class="notice bad"><strong><fmt:message key="task.needsAttention"/></strong>${" "}<t:said sentence="${task.needs.question}"/><c:if test="${mayChange}">${" "}<a href="#actions"><fmt:message key="task.toAnswers"/></a></c:if></p>
     </c:if>
     <c:if test="${reached >= 0}">
       <fmt:message key="task.progress" var="label"/>
