@@ -231,9 +231,12 @@ class ManagerPagesInBrowserTest extends PagesInBrowser {
     for (String entry : List.of("History", "Schedules", "Loads", "Import tasks", "API")) {
       assertThat(page.locator(".more").getByText(entry, exactly())).isVisible();
     }
+    Locator last = page.locator(".more li").last();
+    assertThat(last).isInViewport();
     assertThat(page.locator(".more").getByText("Statistics")).isHidden();
     assertFits(page, "menu", PHONE);
-    assertThat(page.locator(".more").getByText("Statistics")).isVisible();
+    assertThat(page.locator(".more").getByText("Statistics")).isInViewport();
+    assertThat(last).isInViewport();
     page.keyboard().press("Escape");
     assertThat(page.locator(".more").getByText("History")).isHidden();
     assertThat(more).isFocused();

@@ -174,14 +174,17 @@ abstract class PagesInBrowser extends BrowserTest {
       return page.locator(selector).first();
     }
 
-    private void look() {
+    /** At what comes next, which is there then. */
+    private void look(Locator next) {
+      assertThat(next).isVisible();
       if (film != null) {
+        page.waitForLoadState();
         film.take(page);
       }
     }
 
     void press(String selector) {
-      look();
+      look(the(selector));
       hand.press(the(selector));
     }
 
@@ -199,7 +202,7 @@ abstract class PagesInBrowser extends BrowserTest {
       if (entry.count() == 0) {
         press(".more summary");
       }
-      look();
+      look(entry);
       hand.press(entry);
       page.waitForURL("**/" + path);
     }
@@ -207,8 +210,7 @@ abstract class PagesInBrowser extends BrowserTest {
     /** And goes home. */
     void logOut() {
       press(".top form[action$='/logout'] button");
-      assertThat(page.locator("#password")).isVisible();
-      look();
+      look(the("#password"));
       if (film != null) {
         film.close();
       }
