@@ -256,7 +256,7 @@ class NoticeStoreTest extends DatabaseTest {
 
   private List<String> history(boolean isManager) {
     EventArchive.Filter filter =
-        new EventArchive.Filter(null, null, null, null, null, null, isManager);
+        new EventArchive.Filter(null, null, null, "notice", null, null, isManager);
     return new JdbiEventArchive(database.jdbi())
         .events(filter, Long.MAX_VALUE, 10).stream().map(entry -> entry.event().text()).toList();
   }
