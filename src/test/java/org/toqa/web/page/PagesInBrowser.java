@@ -218,15 +218,14 @@ abstract class PagesInBrowser extends BrowserTest {
   }
 
   /**
-   * A day begins with the login, at a desk by the keyboard alone, or on a phone by touch. In a whole
-   * walk {@code target/film} has its film.
+   * A day begins with the login, at a desk by the keyboard alone, or on a phone by touch. In a
+   * whole walk {@code target/film} has its film.
    */
   Day dayOf(String user, String language, boolean byKeyboard) {
     Browser.NewContextOptions options = new Browser.NewContextOptions().setTimezoneId("UTC");
     Screen screen = byKeyboard ? DESK : PHONE;
     Page page =
-        openPage(
-            options.setViewportSize(screen.width(), screen.height()).setHasTouch(!byKeyboard));
+        openPage(options.setViewportSize(screen.width(), screen.height()).setHasTouch(!byKeyboard));
     Day day =
         new Day(
             page,

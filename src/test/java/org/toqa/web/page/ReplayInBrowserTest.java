@@ -119,7 +119,9 @@ class ReplayInBrowserTest extends PagesInBrowser {
   @Test
   void loadsAndPathsAreThoseOfTheTime() {
     openMap("map");
-    page().evaluate("Object.assign(document.querySelector('#map').style, {filter: 'none', border: 0})");
+    page()
+        .evaluate(
+            "Object.assign(document.querySelector('#map').style, {filter: 'none', border: 0})");
     MapPicture map = new MapPicture(page());
     assertThat(page().locator("#robots li")).hasCount(3);
     lookBack();
