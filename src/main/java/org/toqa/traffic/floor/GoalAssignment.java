@@ -13,7 +13,6 @@ import java.util.Map;
 import java.util.Set;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
-import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 import org.toqa.geometry.Vec2;
 import org.toqa.grid.Cell;
@@ -51,7 +50,10 @@ final class GoalAssignment {
   private final List<SweptArea> lastLegs = new ArrayList<>();
 
   private final int[] assigned;
-  private final Map<Integer, String> taken = new HashMap<>();
+  private final Map<Integer, TrafficRobot> taken = new HashMap<>();
+
+  /** By robot: the vertex of its own goal, which another has that has not come there yet. */
+  private final Map<Integer, Integer> shared = new HashMap<>();
 
   /** Where nobody else shall stay, on the path of the only one that gets its goal; else empty. */
   private final Set<Integer> keptFree;
@@ -137,7 +139,7 @@ final class GoalAssignment {
 
   private void assign(int i, int vertex) {
     assigned[i] = vertex;
-    taken.put(vertex, planned.get(i).name);
+    taken.put(vertex, planned.get(i));
   }
 
   /** The vertices of a shortest path. */
@@ -160,8 +162,18 @@ final class GoalAssignment {
     return path;
   }
 
+  /** By robot: a vertex, all different. */
   int[] assigned() {
     return assigned;
+  }
+
+  /**
+   * The same, but several may go to one goal as long as nobody is there: who comes first has it.
+   */
+  int[] shared() {
+    int[] vertices = assigned.clone();
+    shared.forEach((i, vertex) -> vertices[i] = vertex);
+    return vertices;
   }
 
   /** How many do not get to their goals by this. */
@@ -172,6 +184,12 @@ final class GoalAssignment {
   /** Tells each robot who has its goal. */
   void recordHolders() {
     planned.forEach(robot -> robot.waiting.setGoalTakenBy(holders.get(robot.name)));
+  }
+
+  /** Tells each robot who is at its goal. */
+  void recordThere() {
+    recordHolders();
+    shared.keySet().forEach(i -> planned.get(i).waiting.setGoalTakenBy(null));
   }
 
   /** The names of those that want to go somewhere and can. */
@@ -192,9 +210,12 @@ final class GoalAssignment {
       unreachable.add(robot.name);
       return nearestOpen(starts[i], starts[i]);
     }
-    String holder = takenBy(vertex);
+    TrafficRobot holder = takenBy(vertex);
     if (holder != null) {
-      holders.put(robot.name, holder);
+      holders.put(robot.name, holder.name);
+      if (!holder.isGoal(holder.committedEnd()) && isLeft(vertex)) {
+        shared.put(i, vertex);
+      }
     }
     if (!isOpen(vertex)) {
       return nearestOpen(vertex, starts[i]);
@@ -204,8 +225,8 @@ final class GoalAssignment {
   }
 
   /** Who has a vertex, or one too near to it. */
-  private @Nullable String takenBy(int vertex) {
-    String robot = taken.get(vertex);
+  private @Nullable TrafficRobot takenBy(int vertex) {
+    TrafficRobot robot = taken.get(vertex);
     for (int near : spacing.near(vertex)) {
       robot = robot == null ? taken.get(near) : robot;
     }
@@ -276,7 +297,12 @@ final class GoalAssignment {
       return false;
     }
     SweptArea place = lanes.areaAt(roads.cell(vertex));
-    return Stream.concat(wanted.stream(), lastLegs.stream())
-        .allMatch(area -> Clearance.isKept(place, area));
+    return isLeft(vertex) && lastLegs.stream().allMatch(area -> Clearance.isKept(place, area));
+  }
+
+  /** Whether who is there is on nothing that others want to be left. */
+  private boolean isLeft(int vertex) {
+    SweptArea place = lanes.areaAt(roads.cell(vertex));
+    return wanted.stream().allMatch(area -> Clearance.isKept(place, area));
   }
 }

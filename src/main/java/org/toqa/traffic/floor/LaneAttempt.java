@@ -137,7 +137,7 @@ final class LaneAttempt {
    */
   boolean planAhead(NextStepsPlanner nextSteps, Instant now, Deadline deadline) {
     RoadGraph all = freeSpace.laneRoads(diameter);
-    List<Cell> goalCells = Arrays.stream(goals.assigned()).mapToObj(roads::cell).toList();
+    List<Cell> goalCells = Arrays.stream(goals.shared()).mapToObj(roads::cell).toList();
     List<Cell> startCells = planned.stream().map(this::place).toList();
     List<int[]> steps =
         nextSteps.plan(
@@ -154,6 +154,7 @@ final class LaneAttempt {
         && steps.stream().allMatch(places -> Arrays.equals(places, steps.getFirst()))) {
       return false;
     }
+    goals.recordThere();
     rightOfWay.setPlanned(goals.reaching());
     adopt(all, lanes.spacing(all), steps);
     return true;
