@@ -92,15 +92,29 @@ final class RightOfWay {
         && robot.waiting.isStandingFor(AFTER, now);
   }
 
-  /** What it would cover on its way; nothing where one stays on that, as at its own goal. */
+  /**
+   * What it would cover on its way: round those that are at their goals, where there is such a way;
+   * else these step aside. Nothing where one stays on it that does not, as a group at its goal.
+   */
   private List<SweptArea> setWay(TrafficRobot robot, Collection<TrafficRobot> robots) {
-    way = areas(singleRobotPlanner.pathAroundNotMovable(robot, robots));
-    boolean isBarred =
-        robots.stream()
-            .filter(other -> other != robot && other.isAtGoal())
-            .anyMatch(other -> !isOff(other.standingArea()));
-    way = isBarred ? List.of() : way;
+    way = areas(singleRobotPlanner.pathAroundStaying(robot, robots));
+    if (robots.stream().anyMatch(other -> isAtGoalOnWay(robot, other))) {
+      List<SweptArea> round =
+          areas(
+              singleRobotPlanner.pathAround(
+                  robot,
+                  robots,
+                  other ->
+                      !other.isMovable() || other.isAtGoal() || SingleRobotPlanner.stays(other)));
+      boolean isBarred =
+          robots.stream().anyMatch(other -> other.isFormation() && isAtGoalOnWay(robot, other));
+      way = isBarred || !round.isEmpty() ? round : way;
+    }
     return way;
+  }
+
+  private boolean isAtGoalOnWay(TrafficRobot robot, TrafficRobot other) {
+    return other != robot && other.isAtGoal() && !isOff(other.standingArea());
   }
 
   /** Whether who covers an area keeps off the closed way. */
@@ -136,7 +150,7 @@ final class RightOfWay {
           && robot.drive.path() == null
           && isTooLarge
           && !robot.name.equals(holder)) {
-        robot.waiting.setWanted(areas(singleRobotPlanner.pathAlone(robot)));
+        robot.waiting.setWanted(areas(singleRobotPlanner.pathAroundStaying(robot, robots)));
         all.addAll(robot.waiting.wanted());
       }
     }

@@ -37,7 +37,7 @@ final class RoomMaker {
       return;
     }
     robot.waiting.setWanted(
-        singleRobotPlanner.pathAroundNotMovable(robot, robots.values()).orElse(List.of()).stream()
+        singleRobotPlanner.pathAroundStaying(robot, robots.values()).orElse(List.of()).stream()
             .map(Section::area)
             .toList());
     List<SweptArea> wanted = robot.waiting.wanted();

@@ -100,15 +100,33 @@ final class SingleRobotPlanner {
     return sections.stream().mapToDouble(Section::duration).sum();
   }
 
-  /** As if all other robots made room that can. */
-  Optional<List<Section>> pathAroundNotMovable(
-      TrafficRobot robot, Collection<TrafficRobot> robots) {
-    List<SweptArea> notMovable =
+  /**
+   * As if all other robots made room that can: round groups that stand too where there is such a
+   * way, since they step aside for nobody.
+   */
+  Optional<List<Section>> pathAroundStaying(TrafficRobot robot, Collection<TrafficRobot> robots) {
+    return pathAround(robot, robots, other -> !other.isMovable() || stays(other))
+        .or(
+            () ->
+                robots.stream().anyMatch(other -> other != robot && stays(other))
+                    ? pathAround(robot, robots, other -> !other.isMovable())
+                    : Optional.empty());
+  }
+
+  /** Whether it is a group that stands. */
+  static boolean stays(TrafficRobot robot) {
+    return robot.isFormation() && robot.drive.isOver();
+  }
+
+  /** As if all others were gone but some. */
+  Optional<List<Section>> pathAround(
+      TrafficRobot robot, Collection<TrafficRobot> robots, Predicate<TrafficRobot> isThere) {
+    List<SweptArea> there =
         robots.stream()
-            .filter(o -> o != robot && !o.isMovable())
-            .flatMap(o -> o.claimed().stream())
+            .filter(other -> other != robot && isThere.test(other))
+            .flatMap(other -> other.claimed().stream())
             .toList();
-    return notMovable.isEmpty() ? pathAlone(robot) : pathAmong(robot, notMovable);
+    return there.isEmpty() ? pathAlone(robot) : pathAmong(robot, there);
   }
 
   /** The points of its path, were there neither robots nor obstacles; empty where there is none. */

@@ -30,9 +30,9 @@ final class WaitReasonFinder {
     if (robot.waiting.goalTakenBy() != null) {
       return new WaitReason.GoalTaken(robot.waiting.goalTakenBy(), goal);
     }
-    Optional<List<Section>> sections = singleRobotPlanner.pathAroundNotMovable(robot, robots);
+    Optional<List<Section>> sections = singleRobotPlanner.pathAroundStaying(robot, robots);
     if (sections.isPresent()) {
-      List<TrafficRobot> standing = robots.stream().filter(WaitReasonFinder::stays).toList();
+      List<TrafficRobot> standing = robots.stream().filter(SingleRobotPlanner::stays).toList();
       return firstBlocking(robot, sections.get(), standing, claimed)
           .or(() -> firstBlocking(robot, sections.get(), robots, claimed))
           .orElse(new WaitReason.NoPlan(goal));
@@ -42,11 +42,6 @@ final class WaitReasonFinder {
         .pathAlone(robot)
         .flatMap(alone -> firstBlocking(robot, alone, notMovable, claimed))
         .orElseGet(() -> reasonWithoutPath(robot, goal));
-  }
-
-  /** A group that stands makes no room; whoever is before it on a path may. */
-  private static boolean stays(TrafficRobot robot) {
-    return robot.isFormation() && robot.drive.isOver();
   }
 
   private Optional<WaitReason> firstBlocking(
