@@ -125,14 +125,14 @@ final class Operations {
 
   /**
    * Starts from other robots or other places. Who is where its operation would have it goes on with
-   * that; who is not, or is in the way of others now, waits where it is, and so does whoever meant
-   * to pass there.
+   * that, as late as it and those are that were to go before it ({@link DelayedOperations}); who is
+   * not, or is in the way of others now, waits where it is, and so does whoever meant to pass
+   * there.
    *
    * @param present the robots' states now; no two on a vertex
    * @param former what they meant to do, from then on; null for none
    * @param steps that have passed since then
-   * @param delays the steps until the robots are where their states say: they wait so long there,
-   *     whatever they meant, so that all of them go on at the same times as before
+   * @param delays the steps until the robots are where their states say: they wait so long there
    * @param closedNow the edges that nobody may drive now
    */
   void restart(int[] present, int[][] former, int steps, int[] delays, BitSet closedNow) {
@@ -140,19 +140,16 @@ final class Operations {
       take(robot);
     }
     closed = closedNow;
-    operations = new int[present.length][];
+    operations =
+        new DelayedOperations(graph, spacing, depth, closedNow, present, former, steps, delays)
+            .operations();
     met = new int[present.length];
     searches = 0;
     int[] strays = new int[present.length];
     int count = 0;
     for (int robot = 0; robot < present.length; robot++) {
-      int[] meant = former[robot];
-      boolean isOnWay = meant != null && forward(meant, present[robot], steps);
-      if (isOnWay) {
-        delay(meant, delays[robot]);
-      }
-      operations[robot] = isOnWay ? meant : new int[depth + 1];
-      if (isOnWay && isPossible(robot)) {
+      boolean isStanding = former[robot] == null;
+      if (!isStanding && isPossible(robot)) {
         put(robot);
       } else {
         strays[count++] = robot;
@@ -187,37 +184,6 @@ final class Operations {
     Arrays.fill(operations[robot], operations[robot][0]);
     strays[count] = robot;
     return count + 1;
-  }
-
-  /**
-   * Drops the steps of an operation that are done; after its last one it waits.
-   *
-   * @return false where it never leads to the state
-   */
-  private boolean forward(int[] meant, int state, int steps) {
-    int done = steps <= depth && meant[steps] == state ? steps : 0;
-    while (done <= depth && meant[done] != state) {
-      done++;
-    }
-    if (done > depth) {
-      return false;
-    }
-    System.arraycopy(meant, done, meant, 0, depth + 1 - done);
-    Arrays.fill(meant, depth + 1 - done, depth + 1, meant[depth - done]);
-    return true;
-  }
-
-  /** Puts waits before an operation that begins with fewer. */
-  private void delay(int[] meant, int steps) {
-    int waits = 0;
-    while (waits < depth && meant[waits + 1] == meant[0]) {
-      waits++;
-    }
-    int more = Math.min(depth, steps) - waits;
-    if (more > 0) {
-      System.arraycopy(meant, waits, meant, waits + more, depth + 1 - waits - more);
-      Arrays.fill(meant, waits, waits + more, meant[0]);
-    }
   }
 
   /** Whether nobody who is put on, and no closed edge, is in the way of a robot's operation. */

@@ -33,6 +33,30 @@ class LateRobotTest {
     assertNotEquals(next, path.at(3));
   }
 
+  @ParameterizedTest
+  @EnumSource
+  void whoComesBehindALateOneGoesOnAsSoonAsThat(MotionModel model) {
+    LifelongPlanner planner = new RollingHorizonPlanner(model, false, 1);
+    planner.plan(queue(0), Deadline.none());
+
+    LifelongPlan plan = planner.plan(queue(1), new Deadline(() -> 1, 0));
+
+    assertEquals(new Cell(2, 0), plan.path(0).at(2).cell()); // a step late
+    assertEquals(new Cell(0, 0), plan.path(1).at(1).cell());
+    assertEquals(new Cell(1, 0), plan.path(1).at(2).cell()); // as soon as that is free
+  }
+
+  /** Two one behind the other, the first of them late. */
+  private static TrafficSnapshot queue(int delay) {
+    GridPose first = new GridPose(new Cell(1, 0), Heading.EAST);
+    GridPose second = new GridPose(new Cell(0, 0), Heading.EAST);
+    List<PlannedRobot> robots =
+        List.of(
+            new PlannedRobot("first", first, GOAL, 0, false, delay),
+            new PlannedRobot("second", second, GOAL, 0, false, 0));
+    return new TrafficSnapshot(ROADS, robots, new BitSet(), 0);
+  }
+
   /** The only robot's path; no step has passed since the last one. */
   private static PlannedPath plan(
       LifelongPlanner planner, int column, int delay, Deadline deadline) {
