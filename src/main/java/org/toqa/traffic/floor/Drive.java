@@ -36,6 +36,9 @@ final class Drive {
   /** Segments of the path that are completed. */
   private int completedSegments;
 
+  /** Segments of the sections that are completed. */
+  private int segmentsBefore;
+
   /** Sections of the path that it may drive. */
   private int released;
 
@@ -67,6 +70,7 @@ final class Drive {
     copy.sentReleased = sentReleased;
     copy.isChangeUnsent = isChangeUnsent;
     copy.completed = completed;
+    copy.segmentsBefore = segmentsBefore;
     copy.completedSegments = completedSegments;
     copy.released = released;
     copy.lastPathEnd = lastPathEnd;
@@ -217,7 +221,7 @@ final class Drive {
       return Optional.empty();
     }
     List<Segment> segments = on.sections().get(completed).segments();
-    int done = Math.clamp(completedSegments - on.segmentCount(completed), 0, segments.size() - 1);
+    int done = Math.clamp(completedSegments - segmentsBefore, 0, segments.size() - 1);
     Pose start = on.poseAfter(completed);
     for (Segment segment : segments.subList(0, done)) {
       start = start.advanced(segment.twist(), segment.t());
@@ -257,6 +261,7 @@ final class Drive {
     if (former == null) {
       completed = 0;
       completedSegments = 0;
+      segmentsBefore = 0;
       released = 0;
     }
     pathNumber++;
@@ -326,7 +331,8 @@ final class Drive {
     releaseAll();
     completed = Math.min(completedSections, released);
     changes++;
-    completedSegments = Objects.requireNonNull(path).segmentCount(completed);
+    segmentsBefore = Objects.requireNonNull(path).segmentCount(completed);
+    completedSegments = segmentsBefore;
     isBegun = true;
     sentReleased = released;
     lastProgress = now;
@@ -352,14 +358,22 @@ final class Drive {
   boolean complete(int segments, Instant now) {
     changes += completedSegments == segments ? 0 : 1;
     completedSegments = path == null ? 0 : segments;
-    int done = path == null ? 0 : Math.min(path.completedSections(segments), released);
-    if (done <= completed) {
+    int before = completed;
+    while (path != null && completed < released && segmentsAfter(path) <= segments) {
+      segmentsBefore = segmentsAfter(path);
+      completed++;
+    }
+    if (completed == before) {
       return false;
     }
-    completed = done;
     changes++;
     lastProgress = now;
     return true;
+  }
+
+  /** Segments of the sections that are completed when the next one is too. */
+  private int segmentsAfter(ReservedPath on) {
+    return segmentsBefore + on.sections().get(completed).segments().size();
   }
 
   /** The robot is stopped: its progress is looked at from now on. */
@@ -377,6 +391,7 @@ final class Drive {
     path = null;
     completed = 0;
     completedSegments = 0;
+    segmentsBefore = 0;
     released = 0;
     isBegun = false;
     sentReleased = 0;
@@ -428,10 +443,11 @@ final class Drive {
     if (reserved == null) {
       return Optional.empty();
     }
-    int count = reserved.segmentCount(released);
     DriveCommand command = null;
     if (!isBegun) {
-      command = new DriveCommand.Begin(robot, reserved.trajectory(), count, endsAtGoal);
+      command =
+          new DriveCommand.Begin(
+              robot, reserved.trajectory(), reserved.segmentCount(released), endsAtGoal);
     } else if (isChangeUnsent && released == sentReleased && hasUnreleased()) {
       // what it may not drive yet can change again before it may
       return Optional.empty();
@@ -441,10 +457,10 @@ final class Drive {
               robot,
               reserved.segmentCount(sentReleased),
               reserved.segmentsFrom(sentReleased),
-              count,
+              reserved.segmentCount(released),
               endsAtGoal);
     } else if (released > sentReleased) {
-      command = new DriveCommand.Release(robot, count);
+      command = new DriveCommand.Release(robot, reserved.segmentCount(released));
     }
     isBegun = true;
     isChangeUnsent = false;

@@ -36,6 +36,9 @@ final class JointPlan {
   /** So near to the middle of a cell, in cells, a point is in it and on no border. */
   private static final double INSIDE = 0.49;
 
+  /** Robots that are so many lane cells apart keep their distance. */
+  private static final int NEAR = 2;
+
   private final FreeSpace freeSpace;
   private final LanePoints lanes;
   private final OccupiedSpace occupied;
@@ -43,6 +46,9 @@ final class JointPlan {
   private final Spacing spacing;
   private final List<TrafficRobot> robots;
   private final List<int[]> steps;
+
+  /** By lane cell: the robots that are planned from there. */
+  private final Map<Cell, List<TrafficRobot>> byCell = new HashMap<>();
 
   /**
    * @param occupied where none of them must be
@@ -63,6 +69,15 @@ final class JointPlan {
     this.spacing = spacing;
     this.robots = robots;
     this.steps = steps;
+    robots.forEach(
+        robot ->
+            byCell
+                .computeIfAbsent(cell(robot.committedEnd()), cell -> new ArrayList<>())
+                .add(robot));
+  }
+
+  private Cell cell(Pose pose) {
+    return lanes.cells().cellAt(pose.position());
   }
 
   /**
@@ -204,18 +219,26 @@ final class JointPlan {
   private boolean canSetOut(TrafficRobot robot, List<Section> path) {
     Pose start = robot.committedEnd();
     SweptArea standing = robot.areaAt(start);
-    return path.isEmpty()
-        || robots.stream()
-            .filter(other -> other != robot && isNear(other.committedEnd(), start))
-            .allMatch(
-                other ->
-                    Clearance.isKept(
-                        standing, path.getFirst().area(), other.areaAt(other.committedEnd())));
+    Cell cell = cell(start);
+    for (int row = cell.row() - NEAR; row <= cell.row() + NEAR; row++) {
+      for (int column = cell.column() - NEAR; column <= cell.column() + NEAR; column++) {
+        for (TrafficRobot other : byCell.getOrDefault(new Cell(column, row), List.of())) {
+          if (other != robot
+              && isNear(other.committedEnd(), start)
+              && !path.isEmpty()
+              && !Clearance.isKept(
+                  standing, path.getFirst().area(), other.areaAt(other.committedEnd()))) {
+            return false;
+          }
+        }
+      }
+    }
+    return true;
   }
 
   /** Whether one may be nearer to the other than robots keep. */
   private boolean isNear(Pose one, Pose other) {
-    double apart = spacing.isNone() ? 1 : 2;
+    double apart = spacing.isNone() ? 1 : NEAR;
     return one.distanceTo(other) < apart * lanes.cells().resolution();
   }
 
