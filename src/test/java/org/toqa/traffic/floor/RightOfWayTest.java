@@ -21,7 +21,6 @@ class RightOfWayTest {
   private static final int OTHERS = 8;
   private static final Duration PLANNING = Duration.ofMillis(10);
   private static final double LOAD = 0.3;
-  private static final double LARGE = 0.55;
 
   /** Metres a second at which these robots drive on average, late as they are. */
   private static final double PACE = 0.1;
@@ -33,7 +32,15 @@ class RightOfWayTest {
     DrivenFloor floor = new DrivenFloor(hall, 3, Duration.ZERO, PLANNING);
     Vec2 start = hall.centre(new Cell(2, HEIGHT / 2));
     Vec2 goal = hall.centre(new Cell(WIDTH - 3, HEIGHT / 2));
-    putGroup(floor, start);
+    FormationFootprint group =
+        new FormationFootprint(
+            new Shape(new Vec2(LOAD, 0), List.of(new Vec2(-LOAD, 0))),
+            DrivenFloor.DIAMETER / 2,
+            LOAD,
+            LOAD);
+    floor.putAt(
+        "group", group.shape().leaderAt(new Pose(start.x(), start.y(), 0)), DrivenFloor.DIAMETER);
+    floor.lead("group", group);
     for (int i = 0; i < OTHERS; i++) {
       floor.put("r" + i, new Cell(1 + i * (WIDTH - 2) / OTHERS, i % 2 == 0 ? 0 : HEIGHT - 1));
     }
@@ -46,45 +53,6 @@ class RightOfWayTest {
         floor.now.plus(RightOfWay.AFTER.plus(RightOfWay.TURN)).plusSeconds((long) drives);
     cross(floor, random, limit);
     assertTrue(floor.isArrived("group"), () -> floor.reasons().toString());
-  }
-
-  @Test
-  void aLargeRobotIsMadeRoomForOnItsWayRoundAGroupThatStays() {
-    OccupancyGrid hall =
-        DrivenFloor.draw(
-            "............",
-            "............",
-            "..########..",
-            "..########..",
-            "............",
-            "............");
-    double side = DrivenFloor.CELL;
-    DrivenFloor floor = new DrivenFloor(hall, 3, Duration.ZERO, PLANNING);
-    Vec2 inUpper = new Vec2(6 * side, 5 * side);
-    putGroup(floor, inUpper);
-    floor.sendTo("group", inUpper);
-    Cell inLower = new Cell(6, 0);
-    floor.put("small", inLower);
-    floor.send("small", inLower);
-    floor.putAt("large", new Vec2(side, 5 * side), LARGE);
-    floor.drive(Duration.ofSeconds(5));
-
-    floor.sendTo("large", new Vec2(11 * side, 5 * side));
-    floor.drive(Duration.ofMinutes(5));
-
-    assertTrue(floor.areAllArrived(), () -> floor.reasons().toString());
-  }
-
-  private static void putGroup(DrivenFloor floor, Vec2 load) {
-    FormationFootprint group =
-        new FormationFootprint(
-            new Shape(new Vec2(LOAD, 0), List.of(new Vec2(-LOAD, 0))),
-            DrivenFloor.DIAMETER / 2,
-            LOAD,
-            LOAD);
-    floor.putAt(
-        "group", group.shape().leaderAt(new Pose(load.x(), load.y(), 0)), DrivenFloor.DIAMETER);
-    floor.lead("group", group);
   }
 
   /** Drives the others to and fro until the group is where it shall be, or the limit. */
