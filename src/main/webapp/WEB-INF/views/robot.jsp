@@ -202,10 +202,10 @@
     </article>
   </c:if>
   <c:if test="${caller.mayManage()}">
-    <c:if test="${fn:length(floors) > 1 and not robot.record.simulated}">
+    <c:if test="${fn:length(floors) > 1}">
       <article class="card" id="move">
         <h2><fmt:message key="robot.move"/>${" "}<t:help topic="maps"/></h2>
-        <p class="faint"><fmt:message key="robot.move.intro"/></p>
+        <p class="faint"><fmt:message key="${robot.record.simulated ? 'robot.move.intro.simulated' : 'robot.move.intro'}"/></p>
         <c:url value="/robots/${robot.name}/move" var="move"/>
         <form method="post" action="<c:out value="${move}"/>" novalidate>
           <t:csrf/>

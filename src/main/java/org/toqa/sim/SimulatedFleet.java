@@ -9,6 +9,7 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.concurrent.ConcurrentHashMap;
 import java.util.function.BiConsumer;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -38,8 +39,11 @@ public final class SimulatedFleet implements AutoCloseable {
   private static final MotionLimits LIMITS = new MotionLimits(0.5, 3.5, 0.5, 3);
   private static final double SLIP = 0.01;
 
-  /** By robot. */
-  private final Map<String, SimulatedFloor> floors = new HashMap<>();
+  /** By name. */
+  private final Map<String, SimulatedFloor> floors = new ConcurrentHashMap<>();
+
+  /** By robot; of those whose bodies are simulated as a whole. */
+  private final Map<String, FloorOfBody> bodies = new HashMap<>();
 
   private final VirtualClock clock;
   private final List<SimulatedDaemon> robots = new ArrayList<>();
@@ -88,6 +92,7 @@ public final class SimulatedFleet implements AutoCloseable {
       throws IOException {
     SimulatedFleet fleet = new SimulatedFleet(clock);
     try {
+      robots.keySet().forEach(floor -> fleet.floors.put(floor.name(), floor));
       for (Map.Entry<SimulatedFloor, List<SimulatedRobot>> floor : robots.entrySet()) {
         for (SimulatedRobot robot : floor.getValue()) {
           fleet.add(folder.resolve(robot.name()), robot, floor.getKey());
@@ -137,8 +142,7 @@ public final class SimulatedFleet implements AutoCloseable {
 
   /** Where the robot really is, map frame; empty where its body is not simulated as a whole. */
   public Optional<Pose> truePose(String robot) {
-    SimulatedFloor floor = floors.get(robot);
-    return floor == null ? Optional.empty() : floor.truePose(robot);
+    return Optional.ofNullable(bodies.get(robot)).flatMap(body -> body.floor().truePose(robot));
   }
 
   /**
@@ -146,19 +150,41 @@ public final class SimulatedFleet implements AutoCloseable {
    * whole.
    */
   public List<Body> bodies(String floor) {
-    return floors.values().stream()
-        .filter(f -> f.name().equals(floor))
-        .findFirst()
-        .map(SimulatedFloor::bodies)
-        .orElse(List.of());
+    SimulatedFloor there = floors.get(floor);
+    return there == null ? List.of() : there.bodies();
   }
 
   /** From now on walls and chargers of the floor are where this map has them. */
   public void rebuild(FloorMap floor) {
-    floors.values().stream()
-        .filter(f -> f.name().equals(floor.name()))
-        .distinct()
-        .forEach(f -> f.rebuild(floor));
+    SimulatedFloor there = floors.get(floor.name());
+    if (there != null) {
+      there.rebuild(floor);
+    }
+  }
+
+  /**
+   * People carry the robot: at its next tick its body stands there. Its daemon does not know it,
+   * and must be told where it is. A robot whose body is not simulated as a whole has none to be
+   * carried; one that is not of this fleet stays where it is.
+   *
+   * @param pose map frame of that floor
+   */
+  public void carry(String robot, FloorMap floor, Pose pose) {
+    FloorOfBody body = bodies.get(robot);
+    if (body != null) {
+      body.carry(floors.computeIfAbsent(floor.name(), _ -> SimulatedFloor.of(floor)), pose);
+    }
+  }
+
+  /**
+   * Whether the robot that is kept in its folder was not carried to that floor, though it should
+   * be: the process ended before.
+   *
+   * @param folder the robot's
+   * @throws IOException the folder cannot be read
+   */
+  public static boolean isElsewhere(Path folder, String floor) throws IOException {
+    return FloorOfBody.isElsewhere(folder, floor);
   }
 
   /**
@@ -193,13 +219,15 @@ public final class SimulatedFleet implements AutoCloseable {
       throws IOException {
     Path firmware = robot.firmware();
     if (firmware == null) {
+      FloorOfBody body = new FloorOfBody(robot.name(), FOOTPRINT / 2, folder, floor);
+      bodies.put(robot.name(), body);
       return new ChassisConfig.Simulated(
           robot.start(),
-          new SimulatedBattery(robot.battery(), floor.chargers()),
+          new SimulatedBattery(robot.battery(), body.chargers()),
           SLIP,
           robot.name().hashCode(),
           1,
-          floor.surroundings(robot.name(), FOOTPRINT / 2));
+          body);
     }
     Files.createDirectories(folder);
     SimulatedMicrocontroller microcontroller = SimulatedMicrocontroller.start(firmware, folder);
@@ -208,7 +236,6 @@ public final class SimulatedFleet implements AutoCloseable {
   }
 
   private void add(Path folder, SimulatedRobot robot, SimulatedFloor floor) throws IOException {
-    floors.put(robot.name(), floor);
     AgentConfig config =
         new AgentConfig(
             robot.name(),

@@ -1,6 +1,5 @@
 package org.toqa.sim;
 
-import java.util.AbstractList;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -73,19 +72,9 @@ public final class SimulatedFloor {
     return name;
   }
 
-  /** Where robots that are stopped are charged, at any time, metres, map frame. */
+  /** Where robots that are stopped are charged now, metres, map frame. */
   List<Vec2> chargers() {
-    return new AbstractList<>() {
-      @Override
-      public Vec2 get(int index) {
-        return chargers.get(index);
-      }
-
-      @Override
-      public int size() {
-        return chargers.size();
-      }
-    };
+    return chargers;
   }
 
   /**
@@ -108,6 +97,15 @@ public final class SimulatedFloor {
   private void removeSolid(@Nullable Solid gone) {
     if (gone != null) {
       solids.remove(gone);
+    }
+  }
+
+  /** The robot is carried away; nothing lies on it. */
+  void removeRobot(String robot) {
+    Solid gone = robots.remove(robot);
+    if (gone != null) {
+      removeSolid(gone);
+      carriedLoads.put(robot, null, gone.at());
     }
   }
 

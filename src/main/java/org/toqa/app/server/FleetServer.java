@@ -189,6 +189,7 @@ public final class FleetServer implements AutoCloseable {
     clock.add(new FleetInWorld(fleet, clock, simulated != null), FLEET_TICK);
     if (simulated != null) {
       fleet.addMapListener(simulated::rebuild);
+      fleet.addMoveListener(simulated::carry);
       SimulatedDocks docks = new SimulatedDocks(simulated, fleet);
       clock.add(nanos -> docks.locateStandingRobots(), SimulatedDocks.PERIOD);
     }
@@ -459,6 +460,12 @@ public final class FleetServer implements AutoCloseable {
       throw new IllegalStateException(NONE_SIMULATED);
     }
     robots.observeReports(observer);
+  }
+
+  /** Where a simulated robot really is, map frame of the floor where it is; empty: nobody knows. */
+  Optional<Pose> truePose(String robot) {
+    SimulatedFleet robots = simulated;
+    return robots == null ? Optional.empty() : robots.truePose(robot);
   }
 
   /** Somebody is told where bodies are, until this is closed. */

@@ -3,6 +3,7 @@ package org.toqa.app.server;
 import static java.util.Objects.requireNonNull;
 
 import java.io.IOException;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.HashMap;
@@ -12,10 +13,13 @@ import java.util.Map;
 import java.util.Set;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
+import org.jspecify.annotations.Nullable;
 import org.toqa.app.command.TemporaryFolder;
 import org.toqa.app.config.Configuration;
 import org.toqa.fleet.FleetStore;
+import org.toqa.fleet.LastPlace;
 import org.toqa.fleet.RobotRecord;
+import org.toqa.fleet.StoredRobot;
 import org.toqa.geometry.Pose;
 import org.toqa.grid.FloorMap;
 import org.toqa.grid.Place;
@@ -48,27 +52,30 @@ final class SimulatedRobots {
     floors.forEach(floor -> worlds.put(floor.name(), SimulatedFloor.of(floor)));
     Map<SimulatedFloor, List<SimulatedRobot>> robots = new LinkedHashMap<>();
     worlds.values().forEach(world -> robots.put(world, new ArrayList<>()));
-    Map<String, RobotRecord> known = knownRobots(store, configuration, worlds.keySet(), folders);
+    Map<String, StoredRobot> known = knownRobots(store, configuration, worlds.keySet(), folders);
     int made = 0;
     for (int i = 0; i < configuration.simulatedRobots().size(); i++) {
       FloorMap floor = floors.get(Math.min(i, floors.size() - 1));
       List<Place> places = startPlaces(floor, configuration.simulatedRobots().get(i));
       for (int j = 0; j < places.size(); j++) {
         String name = "r" + (made + 1);
-        Pose start = new Pose(places.get(j).position().x(), places.get(j).position().y(), 0);
         Path firmware = made == 0 ? configuration.firmware() : null;
+        StoredRobot before = known.get(name);
         SimulatedRobot robot =
             new SimulatedRobot(
-                name, start, MAX_LOAD, initialBattery(configuration, made), firmware);
-        RobotRecord before = known.get(name);
-        String where = before == null ? floor.name() : before.floor();
+                name,
+                start(folders.resolve(name), before, places.get(j)),
+                MAX_LOAD,
+                initialBattery(configuration, made),
+                firmware);
+        String where = before == null ? floor.name() : before.record().floor();
         requireNonNull(robots.get(worlds.get(where))).add(robot);
         String parking = j < floor.parking().size() ? places.get(j).name() : null;
         fresh.add(
             before == null
                 ? RobotRecord.direct(
                     name, floor.name(), "127.0.0.1", 1, MAX_LOAD, parking, true, null)
-                : before);
+                : before.record());
         made++;
       }
     }
@@ -84,19 +91,33 @@ final class SimulatedRobots {
     }
   }
 
-  /** Those that are on floors that there are; who is on another one begins anew. */
-  private static Map<String, RobotRecord> knownRobots(
+  /** Where a body is put if none is kept: where its robot stood last, else at its first place. */
+  private static Pose start(Path folder, @Nullable StoredRobot before, Place first) {
+    LastPlace place = before == null || Files.exists(folder) ? null : before.place();
+    return place == null
+        ? new Pose(first.position().x(), first.position().y(), 0)
+        : place.pose();
+  }
+
+  /**
+   * Those that are on floors that there are; who is on another one begins anew, and so does a body
+   * that was not yet carried to the floor of its robot when the server was killed.
+   */
+  private static Map<String, StoredRobot> knownRobots(
       FleetStore store, Configuration configuration, Set<String> floors, Path folders)
       throws IOException {
     int count = configuration.simulatedRobots().stream().mapToInt(Integer::intValue).sum();
     try {
-      Map<String, RobotRecord> known = new HashMap<>();
-      for (RobotRecord robot : store.robots()) {
-        if (robot.simulated() && isOneOf(robot.name(), count)) {
-          if (floors.contains(robot.floor())) {
+      Map<String, StoredRobot> known = new HashMap<>();
+      for (StoredRobot robot : store.storedRobots()) {
+        if (robot.record().simulated() && isOneOf(robot.name(), count)) {
+          Path folder = folders.resolve(robot.name());
+          String floor = robot.record().floor();
+          if (floors.contains(floor)) {
             known.put(robot.name(), robot);
-          } else {
-            new TemporaryFolder(folders.resolve(robot.name())).close();
+          }
+          if (!floors.contains(floor) || SimulatedFleet.isElsewhere(folder, floor)) {
+            new TemporaryFolder(folder).close();
           }
         }
       }

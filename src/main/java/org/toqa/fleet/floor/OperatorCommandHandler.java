@@ -106,14 +106,14 @@ final class OperatorCommandHandler {
   }
 
   private @Nullable Sentence objectionToRemoval(FloorRobot robot, @Nullable RobotMove move) {
-    if (robot.record().simulated() && move != null) {
-      return Phrase.SIMULATED_CANNOT_BE_MOVED.with(robot.name());
-    }
-    if (robot.record().simulated() && robot.reported.isConnected()) {
+    if (robot.record().simulated() && robot.reported.isConnected() && move == null) {
       return Phrase.SIMULATED_CANNOT_BE_REMOVED.with(robot.name());
     }
     if (robot.settings.isInService()) {
       return Phrase.TAKE_OUT_FIRST.with(robot.name());
+    }
+    if (move != null && robot.record().simulated() && isDriving(robot)) {
+      return Phrase.CARRIED_WHEN_ARRIVED.with(robot.name());
     }
     return state
         .missions
@@ -134,7 +134,7 @@ final class OperatorCommandHandler {
     if (!robot.reported.isConnected()) {
       return new Answer.Rejected<>(null, Phrase.LOCATE_WHEN_CONNECTED.with(m.robot()));
     }
-    if (robot.reported.drive() != 0 || robot.drive.order().isPending()) {
+    if (isDriving(robot)) {
       return new Answer.Rejected<>(null, Phrase.LOCATE_WHEN_ARRIVED.with(m.robot()));
     }
     if (!state.floor.grid().isFree(m.pose().position())) {
@@ -150,6 +150,11 @@ final class OperatorCommandHandler {
         new EventRecord(
             state.clock.instant(), EventKind.ROBOT_LOCATED, null, m.robot(), m.user(), text));
     return new Answer.Accepted<>(reports.view(robot));
+  }
+
+  private static boolean isDriving(FloorRobot robot) {
+    return robot.reported.isConnected()
+        && (robot.reported.drive() != 0 || robot.drive.order().isPending());
   }
 
   /** Who says that it stands where the robot is said to be; what a dock corrects does not count. */

@@ -96,6 +96,7 @@ public final class AgentFleet implements Fleet, AutoCloseable {
   private final FloorEditor editor;
   private final FloorRouter router;
   private final List<Consumer<FloorMap>> mapListeners = new CopyOnWriteArrayList<>();
+  private final List<MoveListener> moveListeners = new CopyOnWriteArrayList<>();
   private final CompletableFuture<Void> failed = new CompletableFuture<>();
   private volatile boolean isClosing;
 
@@ -365,7 +366,7 @@ public final class AgentFleet implements Fleet, AutoCloseable {
 
   @Override
   public CompletionStage<Answer<RobotView>> moveRobot(String robot, RobotMove move, String user) {
-    return new RobotMover(floors, robots).move(robot, move, user);
+    return new RobotMover(floors, robots, moveListeners).move(robot, move, user);
   }
 
   @Override
@@ -533,6 +534,15 @@ public final class AgentFleet implements Fleet, AutoCloseable {
    */
   public void addMapListener(Consumer<FloorMap> listener) {
     mapListeners.add(listener);
+  }
+
+  /**
+   * From now on the listener is told of each robot that was carried to another floor.
+   *
+   * @param listener called when it is stored, before the robot is told
+   */
+  public void addMoveListener(MoveListener listener) {
+    moveListeners.add(listener);
   }
 
   /**

@@ -1,6 +1,7 @@
 package org.toqa.fleet.manager;
 
 import java.time.Duration;
+import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionStage;
@@ -9,8 +10,10 @@ import java.util.concurrent.TimeUnit;
 import org.toqa.fleet.Answer;
 import org.toqa.fleet.RobotMove;
 import org.toqa.fleet.RobotRecord;
+import org.toqa.fleet.RobotState;
 import org.toqa.fleet.RobotView;
 import org.toqa.fleet.floor.PlaceCheck;
+import org.toqa.geometry.Pose;
 import org.toqa.grid.Disc;
 import org.toqa.wording.Phrase;
 
@@ -20,6 +23,7 @@ import org.toqa.wording.Phrase;
  * <ol>
  *   <li>Its floor gives it up, if it is out of service and has no task; where it is now is stored
  *       with that.
+ *   <li>The listeners are told, who carry bodies that are simulated.
  *   <li>The other floor takes it, still out of service.
  *   <li>The robot is told where it stands, as soon as it is connected.
  * </ol>
@@ -30,10 +34,15 @@ final class RobotMover {
 
   private final FloorDirectory floors;
   private final RobotFloors robots;
+  private final List<MoveListener> listeners;
 
-  RobotMover(FloorDirectory floors, RobotFloors robots) {
+  /**
+   * @param listeners are told of each robot that is moved
+   */
+  RobotMover(FloorDirectory floors, RobotFloors robots, List<MoveListener> listeners) {
     this.floors = floors;
     this.robots = robots;
+    this.listeners = listeners;
   }
 
   CompletionStage<Answer<RobotView>> move(String robot, RobotMove move, String user) {
@@ -53,6 +62,10 @@ final class RobotMover {
         .isFreeAt(to.get().map().grid(), move.pose().position())) {
       return done(new Answer.Rejected<>("x", Phrase.CANNOT_STAND_THERE.with()));
     }
+    Optional<String> other = standingAt(to.get(), move.pose());
+    if (other.isPresent()) {
+      return done(new Answer.Rejected<>("x", Phrase.LOCATE_TAKEN.with(other.get())));
+    }
     return from.get()
         .ask(floor -> floor.giveRobot(robot, move, user))
         .thenCompose(
@@ -62,9 +75,29 @@ final class RobotMover {
                     : done(given));
   }
 
+  /**
+   * Who is where no other robot can stand, since it says so, or is simulated and so was not carried
+   * away.
+   */
+  private static Optional<String> standingAt(FloorEntry floor, Pose place) {
+    return floor.snapshots().latest().robots().stream()
+        .filter(robot -> robot.state() != RobotState.OUT_OF_SERVICE || robot.record().simulated())
+        .filter(robot -> robot.telemetry().pose() != null)
+        .filter(robot -> isTooNear(robot, place))
+        .map(RobotView::name)
+        .findFirst();
+  }
+
+  private static boolean isTooNear(RobotView robot, Pose place) {
+    Pose pose = robot.telemetry().pose();
+    double apart = robot.capabilities().footprint() / 2 + PlaceCheck.SMALLEST_RADIUS;
+    return pose != null && pose.distanceTo(place) < apart;
+  }
+
   private CompletionStage<Answer<RobotView>> take(
       RobotRecord robot, FloorEntry to, RobotMove move, String user) {
     robots.set(robot.name(), to.name());
+    listeners.forEach(listener -> listener.moved(robot.name(), to.map(), move.pose()));
     return to.ask(floor -> floor.takeRobot(robot.movedTo(to.name())))
         .thenCompose(taken -> locate(robot.name(), to, move, user, MOST_TRIES));
   }

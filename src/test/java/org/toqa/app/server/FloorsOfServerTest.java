@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.File;
 import java.net.URI;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.EnumMap;
 import java.util.List;
@@ -17,6 +18,7 @@ import org.toqa.app.command.StopSignal;
 import org.toqa.app.config.Configuration;
 import org.toqa.app.config.Setting;
 import org.toqa.app.config.SettingSource;
+import org.toqa.geometry.Vec2;
 import org.toqa.testbed.ApiClient;
 import org.toqa.testbed.ApiClient.Reply;
 import org.toqa.web.WebTestServer;
@@ -66,7 +68,7 @@ class FloorsOfServerTest {
   }
 
   @Test
-  void floorIsAddedDrawnPublishedAndRemoved() throws Exception {
+  void floorIsAddedDrawnPublishedAndRemovedAndARobotIsCarriedToAnotherOne() throws Exception {
     run(
         (toqa, api) -> {
           api.post("floors", Map.of("name", "attic", "width", 6, "height", 6, "resolution", 0.3));
@@ -110,6 +112,7 @@ class FloorsOfServerTest {
           assertEquals(0, api.get("schedules?floor=lab").size());
           assertEquals(409, api.delete("floors/attic").status(), "it has a schedule");
           assertTrue(api.delete("schedules/" + schedule).isAccepted());
+          carryToOffices(toqa, api);
         });
     run(
         (toqa, api) -> {
@@ -117,9 +120,67 @@ class FloorsOfServerTest {
           assertEquals(2, api.get("map?floor=attic").get("stations").size());
           assertEquals("smooth", api.get("floors/attic").at("/drawing/moves").asString());
           assertTrue(api.delete("floors/attic").isAccepted());
+          carryBackToLab(toqa, api);
           assertEquals(409, api.delete("floors/lab").status(), "it has a robot");
         });
-    run((toqa, api) -> assertEquals(List.of("lab", "offices"), names(api.get("floors"))));
+    // as a server leaves it that was killed after the move was stored, before the body was carried
+    Files.writeString(folder.resolve("robots/r1/floor"), "offices");
+    run(
+        (toqa, api) -> {
+          assertEquals(List.of("lab", "offices"), names(api.get("floors")));
+          api.awaitSnapshot(
+              snapshot -> isAt(snapshot, "r1", 1.95, 4.65) && isTrulyAt(toqa, "r1", 1.95, 4.65));
+        });
+  }
+
+  /** Out of service, it is put where another one stands, and then where it can stand. */
+  private static void carryToOffices(FleetServer toqa, ApiClient api) throws Exception {
+    assertEquals(
+        409, api.replyTo("robots/r1/move", move("offices", 0.75, 4.05)).status(), "in service");
+    api.post("robots/r1/out-of-service", Map.of());
+    assertEquals(
+        422, api.replyTo("robots/r1/move", move("offices", 0.75, 4.65)).status(), "r2 is there");
+    assertEquals(List.of("r1"), names(api.get("robots?floor=lab")));
+
+    JsonNode moved = api.post("robots/r1/move", move("offices", 13.35, 6.45));
+    assertEquals("offices", moved.get("floor").asString());
+    assertEquals(List.of(), names(api.get("robots?floor=lab")));
+    api.post("robots/r1/in-service", Map.of());
+    api.awaitSnapshot(
+        snapshot -> isAt(snapshot, "r1", 13.35, 6.45) && isTrulyAt(toqa, "r1", 13.35, 6.45));
+    api.post("robots/r2/out-of-service", Map.of());
+    long post = order(api, Map.of("start", POST_ROOM, "goal", ARCHIVE));
+    await(api, post, "DONE");
+    assertEquals("r1", robotOf(api, post));
+    api.post("robots/r1/out-of-service", Map.of());
+  }
+
+  private static void carryBackToLab(FleetServer toqa, ApiClient api) throws Exception {
+    assertEquals(List.of("r1", "r2"), names(api.get("robots?floor=offices")));
+    api.awaitSnapshot(
+        snapshot -> isAt(snapshot, "r1", 5.85, 2.25) && isTrulyAt(toqa, "r1", 5.85, 2.25));
+    api.post("robots/r1/move", move("lab", 1.95, 4.65));
+    api.awaitSnapshot(snapshot -> isTrulyAt(toqa, "r1", 1.95, 4.65));
+  }
+
+  private static Map<String, Object> move(String floor, double x, double y) {
+    return Map.of("floor", floor, "x", x, "y", y, "theta", 0);
+  }
+
+  private static boolean isAt(JsonNode snapshot, String robot, double x, double y) {
+    return StreamSupport.stream(snapshot.get("robots").spliterator(), false)
+        .anyMatch(
+            r ->
+                r.get("name").asString().equals(robot)
+                    && Math.hypot(
+                            r.at("/pose/x").asDouble() - x, r.at("/pose/y").asDouble() - y)
+                        < 0.2);
+  }
+
+  private static boolean isTrulyAt(FleetServer toqa, String robot, double x, double y) {
+    return toqa.truePose(robot)
+        .filter(truth -> truth.position().distanceTo(new Vec2(x, y)) < 0.2)
+        .isPresent();
   }
 
   private void run(Use use) throws Exception {

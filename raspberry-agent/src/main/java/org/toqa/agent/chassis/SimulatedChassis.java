@@ -206,6 +206,7 @@ public final class SimulatedChassis implements Chassis {
     }
     started = true;
     lastNanos = nanos;
+    surroundings.takePlace().ifPresent(place -> state = state.carriedTo(place));
     boolean isLost = framesToLose > 0;
     framesToLose -= isLost ? 1 : 0;
     if (!isLost) {

@@ -85,6 +85,25 @@ record SimulatedChassisState(
         steps);
   }
 
+  /**
+   * The same, carried to another place, of which its wheels tell it nothing: where it began is now
+   * from where it would have driven there.
+   *
+   * @param place map frame
+   */
+  SimulatedChassisState carriedTo(Pose place) {
+    return new SimulatedChassisState(
+        powerCycle,
+        place.compose(odometry.relative(ORIGIN)),
+        place,
+        wheelTurns,
+        wheelSpeeds,
+        odometry,
+        command,
+        battery,
+        steps);
+  }
+
   /** Switched off and on again where it is: it is stopped, and its odometry starts anew. */
   SimulatedChassisState withPowerCycle() {
     return new SimulatedChassisState(

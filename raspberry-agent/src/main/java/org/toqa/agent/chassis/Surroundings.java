@@ -1,5 +1,6 @@
 package org.toqa.agent.chassis;
 
+import java.util.Optional;
 import java.util.OptionalDouble;
 import org.jspecify.annotations.Nullable;
 import org.toqa.geometry.Pose;
@@ -27,6 +28,14 @@ public interface Surroundings {
           return false;
         }
       };
+
+  /**
+   * Where people have put the body since it was asked last, map frame; empty: they have not. Asked
+   * at every exchange.
+   */
+  default Optional<Pose> takePlace() {
+    return Optional.empty();
+  }
 
   /**
    * Told at every exchange where the body really is: what no robot knows of itself.
