@@ -20,6 +20,7 @@
       <span class="state" data-state="${order.state()}"><fmt:message key="order.state.${order.state()}"/></span>
     </div>
     <p class="progress"><progress aria-label="${progressLabel}" value="${order.delivered()}" max="${order.parts}"></progress> <strong id="progress">${progress}</strong></p>
+    <c:if test="${order.held() > 0}"><p class="notice" id="held"><fmt:message key="order.held"><fmt:param value="${order.held()}"/><fmt:param value="${order.open().size()}"/></fmt:message></p></c:if>
     <c:forEach items="${stuck}" var="part">
       <p class="notice bad"><strong><a href="${root}/tasks/${part.task.id}"><fmt:message key="order.part.${order.kind}"><fmt:param value="${part.task.task.part.position}"/><fmt:param value="${order.parts}"/></fmt:message></a></strong>${" "}<t:said sentence="${part.why}"/></p>
     </c:forEach>
@@ -66,6 +67,30 @@
   </div>
   <article class="card" id="actions" data-live="order-actions" data-name="${order.id}" ${mayChange ? '' : 'hidden'}>
     <h2><fmt:message key="task.actions"/></h2>
+    <c:if test="${mayChange and not empty order.open()}">
+      <c:if test="${order.held() < order.open().size()}">
+        <form class="choices" method="post" action="${root}/orders/${order.id}/hold">
+          <t:csrf/>
+          <button class="outline" aria-describedby="hold-help"><fmt:message key="order.hold"/></button>
+          <small id="hold-help" class="faint"><fmt:message key="order.hold.help"/></small>
+        </form>
+      </c:if>
+      <c:if test="${order.held() > 0}">
+        <form class="choices" method="post" action="${root}/orders/${order.id}/resume">
+          <t:csrf/>
+          <button class="outline"><fmt:message key="order.resume"/></button>
+        </form>
+      </c:if>
+      <form class="inline" method="post" action="${root}/orders/${order.id}/priority">
+        <t:csrf/>
+        <label for="priority"><fmt:message key="newTask.priority"/></label>
+        <select id="priority" name="priority">
+          <c:if test="${not empty priority and priority != 10 and priority != 0 and priority != -10}"><option value="${priority}" selected>${priority}</option></c:if>
+          <c:forTokens items="10,0,-10" delims="," var="level"><option value="${level}" ${level == (empty priority ? 0 : priority) ? 'selected' : ''}><fmt:message key="newTask.priority.${level}"/></option></c:forTokens>
+        </select>
+        <button class="outline"><fmt:message key="task.priority.submit"/></button>
+      </form>
+    </c:if>
     <c:if test="${mayChange and mayRetry}">
       <form class="choices" method="post" action="${root}/orders/${order.id}/retry">
         <t:csrf/>

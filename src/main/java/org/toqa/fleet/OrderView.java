@@ -3,6 +3,7 @@ package org.toqa.fleet;
 import java.time.Instant;
 import java.util.List;
 import java.util.Optional;
+import java.util.OptionalInt;
 import java.util.TreeMap;
 import java.util.function.UnaryOperator;
 import org.jspecify.annotations.Nullable;
@@ -48,6 +49,18 @@ public record OrderView(
   /** What is still to be carried. */
   public List<TaskView> open() {
     return current().stream().filter(task -> isOpen(task.state())).toList();
+  }
+
+  /** How many of these a person has put on hold. */
+  public int held() {
+    return (int) open().stream().filter(TaskView::held).count();
+  }
+
+  /** The priority that all of these have; empty: they differ, or there is none. */
+  public OptionalInt priority() {
+    int[] priorities =
+        open().stream().mapToInt(task -> task.task().priority()).distinct().limit(2).toArray();
+    return priorities.length == 1 ? OptionalInt.of(priorities[0]) : OptionalInt.empty();
   }
 
   /** What ended without delivery. */

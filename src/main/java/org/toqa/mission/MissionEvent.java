@@ -105,7 +105,16 @@ public sealed interface MissionEvent {
   /** The robots shall stop where they are. */
   record Hold(String user) implements OperatorCommand {}
 
-  record Resume(String user) implements OperatorCommand {}
+  /**
+   * The robots may go on; a leg that is not on hold may begin without the one before it.
+   *
+   * @param fromHoldOnly whether it is meant for what is on hold alone
+   */
+  record Resume(String user, boolean fromHoldOnly) implements OperatorCommand {
+    public Resume(String user) {
+      this(user, false);
+    }
+  }
 
   /**
    * @param priority higher is served first; 0 is usual

@@ -122,7 +122,7 @@ final class OperatorCommandRules {
       return mission.withHeld(false).step(List.of(), Phrase.TASK_LET_GO_ON.with(event.user()));
     }
     OrderPart part = mission.task().part();
-    return part != null && part.awaitsPrevious()
+    return part != null && part.awaitsPrevious() && !event.fromHoldOnly()
         ? mission
             .withPart(part.withAwaitsPrevious(false))
             .step(List.of(), Phrase.LEG_LET_BEGIN.with(event.user(), part.position() - 1))

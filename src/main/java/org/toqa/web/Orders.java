@@ -75,4 +75,21 @@ public final class Orders {
     }
     return null;
   }
+
+  /**
+   * Tells the same to all of an order that is not delivered, one task after the other, the last one
+   * first: so no leg begins since the one before it was not yet held. Repeated, it tells what is
+   * left.
+   *
+   * @return false: nothing of it could be told, since all has ended or is delivered by now
+   */
+  public boolean tellOpen(OrderView order, MissionEvent.OperatorCommand command) {
+    boolean isTold = false;
+    for (TaskView task : order.open().reversed()) {
+      Answer<TaskView> answer =
+          FleetAnswers.await(services.fleet().commandTask(task.id(), command));
+      isTold |= answer instanceof Answer.Accepted<TaskView>;
+    }
+    return isTold;
+  }
 }

@@ -121,6 +121,8 @@ class FleetOrderTest extends HallFleetTest {
     accepted(stage.fleet.commandTask(legs.getFirst(), new MissionEvent.Cancel("Clara", null)));
     until(view -> task(view, legs.get(1)).blocked());
 
+    accepted(stage.fleet.commandTask(legs.get(1), new MissionEvent.Resume("Clara", true)));
+    assertEquals(List.of(), history("task.resumed"), "meant for what is on hold");
     accepted(stage.fleet.commandTask(legs.get(1), new MissionEvent.Resume("Clara")));
     stage.restart();
 

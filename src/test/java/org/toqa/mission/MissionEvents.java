@@ -64,6 +64,7 @@ public final class MissionEvents {
         Arbitraries.of(
             new MissionEvent.Hold("max"),
             new MissionEvent.Resume("max"),
+            new MissionEvent.Resume("max", true),
             new MissionEvent.Prioritise("max", 7),
             new MissionEvent.GoOn("max", null),
             new MissionEvent.GoOn("max", 1),

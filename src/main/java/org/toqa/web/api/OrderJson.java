@@ -14,6 +14,7 @@ import org.toqa.wording.Sentence;
  *
  * @param parts how many were ordered
  * @param delivered how many of them are at their goals
+ * @param held how many of those that are not are on hold
  * @param stuck the parts that do not go on by themselves
  * @param tasks of each part the newest; left out of lists
  */
@@ -24,6 +25,7 @@ record OrderJson(
     OrderState state,
     int parts,
     int delivered,
+    int held,
     Instant createdAt,
     List<StuckJson> stuck,
     @JsonInclude(JsonInclude.Include.NON_NULL) @Nullable List<TaskJson> tasks) {
@@ -50,6 +52,7 @@ record OrderJson(
         order.state(),
         order.parts(),
         order.delivered(),
+        order.held(),
         order.createdAt(),
         order.stuck().stream().map(part -> new StuckJson(part.task().id(), part.why())).toList(),
         tasks);

@@ -51,6 +51,50 @@ public final class OrderResource extends ApiHandler {
         });
   }
 
+  public static void hold(HttpServletRequest request, HttpServletResponse response)
+      throws IOException {
+    tell(request, response, user -> new MissionEvent.Hold(user.name()));
+  }
+
+  /** Legs that wait for the one before them go on waiting. */
+  public static void resume(HttpServletRequest request, HttpServletResponse response)
+      throws IOException {
+    tell(request, response, user -> new MissionEvent.Resume(user.name(), true));
+  }
+
+  public static void prioritise(HttpServletRequest request, HttpServletResponse response)
+      throws IOException {
+    tell(
+        request,
+        response,
+        user ->
+            readBody(
+                request,
+                fields -> {
+                  MissionEvent.Prioritise command =
+                      new TaskCommandReader(fields.texts(), fields.errors())
+                          .readPriority(user, fields.number("priority"), null);
+                  fields.refuseUnknown();
+                  return command;
+                }));
+  }
+
+  /** Reads a command from the body, if it has one. */
+  @FunctionalInterface
+  private interface CommandReader {
+    MissionEvent.OperatorCommand read(Caller user) throws IOException;
+  }
+
+  private static void tell(
+      HttpServletRequest request, HttpServletResponse response, CommandReader reader)
+      throws IOException {
+    OrderView order = changeableOrder(request);
+    if (!new Orders(services(request)).tellOpen(order, reader.read(Caller.of(request)))) {
+      throw Problem.of(409, Texts.of(request).get("order.ended")).exception();
+    }
+    send(request, response, order(request));
+  }
+
   /** Orders again what has ended without delivery. */
   public static void retry(HttpServletRequest request, HttpServletResponse response)
       throws IOException {

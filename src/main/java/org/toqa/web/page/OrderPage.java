@@ -55,6 +55,50 @@ public final class OrderPage extends PageHandler {
     answer(request, response, order.get(), errors);
   }
 
+  public static void hold(HttpServletRequest request, HttpServletResponse response)
+      throws ServletException, IOException {
+    tell(request, response, (reader, fields, user) -> new MissionEvent.Hold(user.name()));
+  }
+
+  /** Legs that wait for the one before them go on waiting. */
+  public static void resume(HttpServletRequest request, HttpServletResponse response)
+      throws ServletException, IOException {
+    tell(request, response, (reader, fields, user) -> new MissionEvent.Resume(user.name(), true));
+  }
+
+  public static void prioritise(HttpServletRequest request, HttpServletResponse response)
+      throws ServletException, IOException {
+    tell(
+        request,
+        response,
+        (reader, fields, user) -> reader.readPriority(user, fields.number("priority"), null));
+  }
+
+  @FunctionalInterface
+  private interface CommandReader {
+    MissionEvent.OperatorCommand read(TaskCommandReader reader, FormFields fields, Caller user);
+  }
+
+  private static void tell(
+      HttpServletRequest request, HttpServletResponse response, CommandReader reader)
+      throws ServletException, IOException {
+    Optional<OrderView> order = changeableOrder(request, response);
+    if (order.isEmpty()) {
+      return;
+    }
+    FieldErrors errors = new FieldErrors();
+    Texts texts = Texts.of(request);
+    MissionEvent.OperatorCommand command =
+        reader.read(
+            new TaskCommandReader(texts, errors),
+            new FormFields(request, errors),
+            Caller.of(request));
+    if (errors.isEmpty() && !new Orders(services(request)).tellOpen(order.get(), command)) {
+      errors.add(FORM, texts.get("order.ended"));
+    }
+    answer(request, response, order.get(), errors);
+  }
+
   /** Orders again what has ended without delivery. */
   public static void retry(HttpServletRequest request, HttpServletResponse response)
       throws ServletException, IOException {
@@ -113,6 +157,7 @@ public final class OrderPage extends PageHandler {
     request.setAttribute("mayChange", OrderAccess.canChange(Caller.of(request), order));
     request.setAttribute("mayRetry", !PartsToRetry.of(order).orders().isEmpty());
     request.setAttribute("stuck", order.stuck());
+    order.priority().ifPresent(priority -> request.setAttribute("priority", priority));
     request.setAttribute(
         "carrying", order.open().stream().anyMatch(task -> task.state() == TaskState.CARRYING));
   }

@@ -45,6 +45,7 @@ final class FormAttacks {
           "/notices/webhooks/{id}/secret",
           "/notices/webhooks/{id}/test",
           "/notices/webhooks/{id}/delete",
+          "/orders/{id}/resume",
           "/orders/{id}/retry",
           "/fleet/resume",
           "/robots/{name}/clear",

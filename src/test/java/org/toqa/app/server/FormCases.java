@@ -107,6 +107,11 @@ final class FormCases {
             "/tasks/{id}/load-moved",
             Map.of("placeX", "13.65", "placeY", "9.15"),
             refused("placeStation", "placeX", "placeY")),
+        FormCase.of(
+            "orders/{order}",
+            "/orders/{id}/priority",
+            Map.of("priority", "10"),
+            Map.of("priority", REFUSED)),
         FormCase.of("orders/{order}", "/orders/{id}/cancel", Map.of(), Map.of("load", REFUSED)),
         FormCase.of("map", "/fleet/pause", Map.of(), Map.of("back", TAKEN)),
         FormCase.of(

@@ -97,6 +97,38 @@ class ApiOrdersTest extends ApiTestServer {
   }
 
   @Test
+  void allOfAnOrderIsHeldAndGoesOnAndIsGivenAPriorityAtOnce() {
+    String clerk = tokenOf(WebTestServer.CLERK);
+    String others = "api/v1/orders/" + id(post(token, "api/v1/orders", PIECES));
+    for (String command : List.of("/hold", "/resume", "/priority")) {
+      assertEquals(403, post(clerk, others + command, "{\"priority\":1}").statusCode(), command);
+      assertEquals(404, post(token, "api/v1/orders/999" + command, "{\"priority\":1}").statusCode());
+    }
+    String own = "api/v1/orders/" + id(post(clerk, "api/v1/orders", PIECES));
+    server.fleet().changeTask(4, TaskState.DONE, List.of("r1"), "r1 has parked.");
+    server.fleet().changeTask(5, TaskState.CARRYING, List.of("r1"), "r1 carries it.");
+
+    JsonNode held = JSON.readTree(post(clerk, own + "/hold", "").body());
+    assertEquals("2 of 3 on hold", held.get("held") + " of " + held.get("parts") + " on hold");
+    assertTrue(server.fleet().task(5).orElseThrow().held());
+    assertFalse(server.fleet().task(4).orElseThrow().held(), "it has ended");
+    assertFalse(server.fleet().task(1).orElseThrow().held(), "it is of another order");
+
+    HttpResponse<String> first = post(clerk, own + "/priority", "{\"priority\":10}");
+    assertEquals(200, first.statusCode(), first.body());
+    assertEquals(10, server.fleet().task(6).orElseThrow().task().priority());
+    assertEquals(0, server.fleet().task(4).orElseThrow().task().priority());
+    assertEquals(422, post(clerk, own + "/priority", "{\"priority\":101}").statusCode());
+    assertEquals(422, post(clerk, own + "/priority", "{\"rank\":1}").statusCode());
+
+    assertEquals(0, JSON.readTree(post(clerk, own + "/resume", "").body()).get("held").asInt());
+    assertFalse(server.fleet().task(6).orElseThrow().held());
+    server.fleet().changeTask(5, TaskState.DONE, List.of("r1"), "r1 has parked.");
+    server.fleet().changeTask(6, TaskState.DONE, List.of("r1"), "r1 has parked.");
+    assertEquals(409, post(clerk, own + "/hold", "").statusCode());
+  }
+
+  @Test
   void anOrderThatComesAgainWithItsKeyIsThereOnce() {
     JsonNode first = JSON.readTree(withKey(PIECES).body());
     JsonNode again = JSON.readTree(withKey(PIECES).body());

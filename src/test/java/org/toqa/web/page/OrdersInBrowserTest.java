@@ -120,6 +120,15 @@ class OrdersInBrowserTest extends PagesInBrowser {
     page.navigate(server.root() + "tasks/2");
     assertThat(page.locator("dl")).containsText("Piece 2 of 3 · 1 of 3 carried");
     page.getByText("Piece 2 of 3").click();
+    click(button(page, "Hold order"));
+    assertThat(page.locator("#held")).hasText("On hold: 2 of 2 that are not carried yet");
+    assertFits(page, "order-held", DESK, PHONE);
+    page.locator("#priority").selectOption("10");
+    click(button(page, "Change priority"));
+    assertThat(page.locator("#priority")).hasValue("10");
+    assertEquals(10, server.fleet().task(3).orElseThrow().task().priority());
+    click(button(page, "Resume order"));
+    assertThat(page.locator("#held")).hasCount(0);
     page.locator("summary", new Page.LocatorOptions().setHasText("Cancel order")).click();
     click(button(page, "Confirm cancellation"));
     assertThat(state).hasText("Ended, not all carried");
