@@ -308,7 +308,10 @@ final class DispatchAgent extends AbstractBehavior<DispatchMessage> {
     if (floorTicks.isRunning()) {
       publishIfChanged();
     }
-    floorTicks.tick(now);
+    floorTicks.tick(now, state.isIdle());
+    if (!floorTicks.isRunning()) {
+      publishIfChanged(); // a floor that is idle is not told each time
+    }
     health.recordFloorTime(floorTicks.floorTime());
     decider.tick(now);
     rounds.beginDueRound();

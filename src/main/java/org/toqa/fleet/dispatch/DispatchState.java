@@ -139,6 +139,15 @@ final class DispatchState {
     }
   }
 
+  /** Whether nothing moves or waits here: the floor has neither robots nor tasks. */
+  boolean isIdle() {
+    return robots.isEmpty()
+        && robotsHere().isEmpty()
+        && queue.size() == 0
+        && handedOver.isEmpty()
+        && assignedTasks().isEmpty();
+  }
+
   /** Whether a task of that order has not ended. */
   boolean isOrderOpen(long order) {
     return Stream.concat(

@@ -1,5 +1,6 @@
 package org.toqa.fleet.dispatch;
 
+import java.time.Duration;
 import java.time.Instant;
 import java.util.OptionalLong;
 import java.util.function.Consumer;
@@ -9,9 +10,12 @@ import org.jspecify.annotations.Nullable;
 /**
  * Tells a floor the time, one tick after the other. While it is still at its last one it is told
  * nothing, and the newest time when it has done that, so that ticks neither pile up before it nor
- * are left out: a simulated world waits for what its next one brings.
+ * are left out: a simulated world waits for what its next one brings. A floor that has neither
+ * robots nor tasks is told once a second: that is often enough to forget what was seen there.
  */
 final class FloorTicks {
+  private static final Duration IDLE_PERIOD = Duration.ofSeconds(1);
+
   private final Consumer<Instant> floor;
   private final LongSupplier monotonicNanos;
 
@@ -22,6 +26,9 @@ final class FloorTicks {
   private boolean isDue;
 
   private Instant now = Instant.MIN;
+
+  /** From then on a floor that is idle is told again. */
+  private Instant nextIdle = Instant.MIN;
 
   /**
    * @param since nanoseconds of a clock that never jumps
@@ -53,12 +60,15 @@ final class FloorTicks {
     return current == null ? now : current.tick();
   }
 
-  void tick(Instant time) {
+  /**
+   * @param isIdle whether the floor has neither robots nor tasks
+   */
+  void tick(Instant time, boolean isIdle) {
     now = time;
-    if (running == null) {
-      begin();
-    } else {
+    if (running != null) {
       isDue = true;
+    } else if (!isIdle || !time.isBefore(nextIdle)) {
+      begin();
     }
   }
 
@@ -72,6 +82,7 @@ final class FloorTicks {
   }
 
   private void begin() {
+    nextIdle = now.plus(IDLE_PERIOD);
     running = new Running(now, monotonicNanos.getAsLong());
     floor.accept(now);
   }

@@ -35,11 +35,13 @@ final class NegotiationAgent extends AbstractBehavior<NegotiationAgent.Message> 
     /**
      * @param negotiation that has begun, and is this agent's from now on
      * @param first what it says first
+     * @param now when it began
      * @param end completes when it is over
      */
     record Hold(
         Negotiation negotiation,
         List<Negotiation.Outgoing> first,
+        Instant now,
         CompletableFuture<Negotiation> end)
         implements Message {}
 
@@ -73,6 +75,7 @@ final class NegotiationAgent extends AbstractBehavior<NegotiationAgent.Message> 
   private Behavior<Message> handle(Message message) {
     switch (message) {
       case Message.Hold m -> {
+        now = m.now().isAfter(now) ? m.now() : now;
         Open open = new Open(m.negotiation(), m.end());
         negotiations.put(m.negotiation().number(), open);
         goOn(open, m.first());

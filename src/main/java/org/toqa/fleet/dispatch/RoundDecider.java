@@ -4,6 +4,7 @@ import java.time.Instant;
 import java.util.List;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.Executor;
+import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.Supplier;
 import org.apache.pekko.actor.typed.ActorRef;
@@ -18,6 +19,9 @@ final class RoundDecider {
   private final ActorRef<NegotiationAgent.Message> negotiations;
   private final AtomicLong number = new AtomicLong();
 
+  /** How many negotiations are not over. */
+  private final AtomicInteger open = new AtomicInteger();
+
   /**
    * @param method asked at each round
    */
@@ -28,7 +32,9 @@ final class RoundDecider {
 
   /** Time goes on, by which answers are waited for. */
   void tick(Instant now) {
-    negotiations.tell(new NegotiationAgent.Message.Tick(now));
+    if (open.get() > 0) {
+      negotiations.tell(new NegotiationAgent.Message.Tick(now));
+    }
   }
 
   /**
@@ -72,7 +78,8 @@ final class RoundDecider {
   private CompletableFuture<Negotiation> hold(Negotiation negotiation, Instant now) {
     CompletableFuture<Negotiation> end = new CompletableFuture<>();
     List<Negotiation.Outgoing> first = negotiation.begin(now);
-    negotiations.tell(new NegotiationAgent.Message.Hold(negotiation, first, end));
-    return end;
+    open.incrementAndGet();
+    negotiations.tell(new NegotiationAgent.Message.Hold(negotiation, first, now, end));
+    return end.whenComplete((over, failure) -> open.decrementAndGet());
   }
 }

@@ -46,7 +46,21 @@ class FloorTicksTest {
     assertEquals(Instant.ofEpochSecond(2), ticks.floorTime());
   }
 
+  @Test
+  void floorWithNothingToDoIsToldOnceASecondAndIsStillUpToDate() {
+    for (int tenth = 10; tenth <= 30; tenth++) {
+      Instant now = Instant.ofEpochMilli(100L * tenth);
+      ticks.tick(now, true);
+      assertEquals(now, ticks.floorTime());
+      ticks.end();
+    }
+    assertEquals(List.of(1L, 2L, 3L), told);
+
+    ticks.tick(Instant.ofEpochMilli(3100), false);
+    assertEquals(List.of(1L, 2L, 3L, 3L), told, "it has something to do");
+  }
+
   private void tick(int second) {
-    ticks.tick(Instant.ofEpochSecond(second));
+    ticks.tick(Instant.ofEpochSecond(second), false);
   }
 }
