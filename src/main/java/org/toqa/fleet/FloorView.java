@@ -96,10 +96,12 @@ public record FloorView(
 
   /**
    * @param at metres from the load's middle: x to where the robots face, y to their left
+   * @param place likewise, where the robot is meanwhile
    * @param share kilograms that the robot is to bear there
    * @param measured kilograms that it bears as it measures, in tenths; null: it does not say
    */
-  public record HoldPoint(String robot, Vec2 at, double share, @Nullable Double measured) {}
+  public record HoldPoint(
+      String robot, Vec2 at, Vec2 place, double share, @Nullable Double measured) {}
 
   /**
    * A charging point that does not charge.

@@ -201,10 +201,18 @@ function drawGroup(context, viewport, colours, task, poses, points) {
     context.lineTo(...viewport.toScreen(follower.x, follower.y));
     context.stroke();
   }
-  const middle = (side) => poses.reduce((sum, pose) => sum + pose[side], 0) / poses.length;
-  const at = viewport.toScreen(middle('x'), middle('y'));
-  drawLoad(context, at, -poses[0].theta, loadHalf(viewport, task), colours);
-  drawHoldPoints(context, viewport, colours, {x: middle('x'), y: middle('y'), theta: poses[0].theta}, points);
+  const load = loadAmong(task, poses, points);
+  drawLoad(context, viewport.toScreen(load.x, load.y), -load.theta, loadHalf(viewport, task), colours);
+  drawHoldPoints(context, viewport, colours, load, points);
+}
+
+/** Where robots carry a load together: each of them says it by its place, and the mean counts. */
+function loadAmong(task, poses, points) {
+  const {theta} = poses[0];
+  const placeOf = (robot) => points.find((point) => point.robot === robot)?.place ?? {x: 0, y: 0};
+  const middles = task.robots.map((robot, i) => onMap({...poses[i], theta}, [-placeOf(robot).x, -placeOf(robot).y]));
+  const mean = (side) => middles.reduce((sum, middle) => sum + middle[side], 0) / middles.length;
+  return {x: mean(0), y: mean(1), theta};
 }
 
 /** Where robots hold the load: the larger what a robot bears, as it measures or else its share, the larger its dot. */

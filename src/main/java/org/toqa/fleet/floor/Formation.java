@@ -57,7 +57,12 @@ record Formation(Shape shape, Pose load, LoadSize size, FormationFootprint group
     return load.compose(new Pose(place.x(), place.y(), 0));
   }
 
-  private Vec2 place(int index) {
+  /**
+   * Where a robot is, from the load's middle, in the frame of the way that they face.
+   *
+   * @param index as in {@link #pose}
+   */
+  Vec2 place(int index) {
     return index == 0 ? shape.leader() : shape.followers().get(index - 1);
   }
 

@@ -23,7 +23,8 @@ import org.toqa.traffic.floor.FormationPaths;
  * Finds places round a load where all its robots can be, and from where the group has a path to the
  * goal: {@link Shape#around} in eight headings, its places moved as {@link LoadPlaces} says. A load
  * lies along the heading; a square one also cornerwise, its sides along the map. Shapes that share
- * the load evenly come first, then narrow ones. A function of its arguments: a restarted server
+ * the load evenly come first, then narrow ones, with robots behind each other, for narrow ways. A
+ * function of its arguments: a restarted server
  * finds the same. Any thread may ask.
  */
 final class FormationPlacement {
@@ -88,17 +89,19 @@ final class FormationPlacement {
     double turn = Formation.turnOf(load, size);
     // what a follower may be off its place beyond what any robot may be beside its path
     double beyond = law.tolerance() - Trajectory.MAX_DEVIATION;
-    return new LoadPlaces(grid, load, size, turn, radius)
-        .nearest(ideal).stream()
-            .filter(shape -> canHold(shape, size, turn))
-            .map(shape -> shape.withLaw(law))
-            .map(
-                shape ->
-                    new Formation(
-                        shape,
-                        load,
-                        size,
-                        new FormationFootprint(
-                            shape, radius + beyond, size.length(), size.width())));
+    return Stream.of(false, true)
+        .flatMap(
+            isNarrow ->
+                new LoadPlaces(grid, load, size, turn, radius, isNarrow).nearest(ideal).stream())
+        .filter(shape -> canHold(shape, size, turn))
+        .distinct()
+        .map(shape -> shape.withLaw(law))
+        .map(
+            shape ->
+                new Formation(
+                    shape,
+                    load,
+                    size,
+                    new FormationFootprint(shape, radius + beyond, size.length(), size.width())));
   }
 }

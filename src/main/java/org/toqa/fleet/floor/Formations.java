@@ -138,20 +138,26 @@ final class Formations {
     List<String> team = mission.assignedRobots().stream().map(AssignedRobot::robot).toList();
     List<Double> shares = team.stream().map(robot -> share(mission, robot)).toList();
     return of(mission)
-        .flatMap(formation -> formation.holds(shares))
-        .map(
-            points ->
-                new HeldLoad(
-                    mission.id(),
-                    IntStream.range(0, team.size())
-                        .mapToObj(
-                            i ->
-                                new HoldPoint(
-                                    team.get(i),
-                                    points.get(i),
-                                    shares.get(i),
-                                    measuredShare(mission, team.get(i))))
-                        .toList()));
+        .flatMap(
+            formation ->
+                formation.holds(shares).map(points -> held(mission, formation, points, shares)));
+  }
+
+  private HeldLoad held(
+      Mission mission, Formation formation, List<Vec2> points, List<Double> shares) {
+    List<String> team = mission.assignedRobots().stream().map(AssignedRobot::robot).toList();
+    return new HeldLoad(
+        mission.id(),
+        IntStream.range(0, team.size())
+            .mapToObj(
+                i ->
+                    new HoldPoint(
+                        team.get(i),
+                        points.get(i),
+                        formation.place(i),
+                        shares.get(i),
+                        measuredShare(mission, team.get(i))))
+            .toList());
   }
 
   /** Kilograms, in tenths; null where the robot carries nothing yet, or cannot say. */
