@@ -94,9 +94,7 @@ final class SimulatedRobots {
   /** Where a body is put if none is kept: where its robot stood last, else at its first place. */
   private static Pose start(Path folder, @Nullable StoredRobot before, Place first) {
     LastPlace place = before == null || Files.exists(folder) ? null : before.place();
-    return place == null
-        ? new Pose(first.position().x(), first.position().y(), 0)
-        : place.pose();
+    return place == null ? new Pose(first.position().x(), first.position().y(), 0) : place.pose();
   }
 
   /**

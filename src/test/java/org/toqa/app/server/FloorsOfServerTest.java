@@ -172,8 +172,7 @@ class FloorsOfServerTest {
         .anyMatch(
             r ->
                 r.get("name").asString().equals(robot)
-                    && Math.hypot(
-                            r.at("/pose/x").asDouble() - x, r.at("/pose/y").asDouble() - y)
+                    && Math.hypot(r.at("/pose/x").asDouble() - x, r.at("/pose/y").asDouble() - y)
                         < 0.2);
   }
 

@@ -102,7 +102,8 @@ class ApiOrdersTest extends ApiTestServer {
     String others = "api/v1/orders/" + id(post(token, "api/v1/orders", PIECES));
     for (String command : List.of("/hold", "/resume", "/priority")) {
       assertEquals(403, post(clerk, others + command, "{\"priority\":1}").statusCode(), command);
-      assertEquals(404, post(token, "api/v1/orders/999" + command, "{\"priority\":1}").statusCode());
+      assertEquals(
+          404, post(token, "api/v1/orders/999" + command, "{\"priority\":1}").statusCode());
     }
     String own = "api/v1/orders/" + id(post(clerk, "api/v1/orders", PIECES));
     server.fleet().changeTask(4, TaskState.DONE, List.of("r1"), "r1 has parked.");
