@@ -34,7 +34,7 @@
     <c:forEach items="${floorViews}" var="floor"><c:if test="${not empty floor.chargerShortage}"><p class="notice bad"><t:said sentence="${floor.chargerShortage.text}"/></p></c:if></c:forEach>
     <div class="figures">
       <c:forTokens items="ordered,done,failed,cancelled" delims="," var="name"><article><p class="faint"><fmt:message key="statistics.column.${name}"/></p><p class="figure"><fmt:formatNumber value="${total[name]}"/></p></article></c:forTokens>
-      <c:forTokens items="delivery,waiting,completion" delims="," var="name">
+      <c:forTokens items="delivery,waiting,completion,orderError,startError" delims="," var="name">
         <fmt:message key="statistics.chart.${name}" var="what"/>
         <article>
           <p class="faint"><fmt:message key="statistics.median"><fmt:param value="${what}"/></fmt:message></p>

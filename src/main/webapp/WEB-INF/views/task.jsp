@@ -77,6 +77,10 @@
           <dt><fmt:message key="task.robots"/></dt><dd><t:robots names="${task.robots}"/><c:if test="${task.robots.size() > 1}"><fmt:message key="task.leads" var="leads"><fmt:param value="${task.robots[0]}"/></fmt:message>${" "}<span class="faint"><c:out value="${leads}"/></span></c:if></dd>
           <c:if test="${not empty task.task.onlyRobots}"><dt><fmt:message key="task.onlyRobots"/></dt><dd><t:robots names="${task.task.onlyRobots}"/></dd></c:if>
           <dt><fmt:message key="newTask.priority"/></dt><dd><c:choose><c:when test="${usualPriority}"><fmt:message key="newTask.priority.${task.task.priority}"/></c:when><c:otherwise>${task.task.priority}</c:otherwise></c:choose></dd>
+          <c:if test="${not empty task.expected}">
+            <c:if test="${not empty task.expected.pickUp}"><dt><fmt:message key="task.expected.pickUp"/></dt><dd id="expected-pick-up"><t:time at="${task.expected.pickUp}"/></dd></c:if>
+            <dt><fmt:message key="task.expected.delivery"/></dt><dd id="expected-delivery"><c:choose><c:when test="${not empty task.expected.delivery}"><t:time at="${task.expected.delivery}"/></c:when><c:otherwise><t:said sentence="${task.expected.unknown}"/></c:otherwise></c:choose></dd>
+          </c:if>
           <c:if test="${not empty task.task.deadline}"><dt><fmt:message key="task.deadline"/></dt><dd><t:time at="${task.task.deadline}"/></dd></c:if>
           <dt><fmt:message key="task.user"/></dt><dd><bdi><c:out value="${task.task.user}"/></bdi></dd>
           <dt><fmt:message key="task.created"/></dt><dd><t:time at="${task.task.createdAt}"/></dd>

@@ -67,7 +67,7 @@
       <table class="stacks">
         <thead>
           <tr>
-            <c:forTokens items="id,name,state,load,fromTo,robots,user,created" delims="," var="column">
+            <c:forTokens items="id,name,state,load,fromTo,robots,expected,user,created" delims="," var="column">
               <fmt:message key="tasks.column.${column}" var="head"/>
               <c:choose>
                 <c:when test="${columns.contains(column)}">
@@ -94,6 +94,7 @@
               <td class="number" data-label="<fmt:message key="tasks.column.load"/>"><fmt:message key="common.kilograms"><fmt:param value="${load}"/></fmt:message></td>
               <td data-label="<fmt:message key="tasks.column.fromTo"/>"><span><t:place place="${view.task.start}"/> – <t:place place="${view.task.goal}"/><c:if test="${fn:length(floors) > 1}"><br><small class="faint"><bdi><c:out value="${view.task.floor}"/></bdi></small></c:if></span></td>
               <td data-label="<fmt:message key="tasks.column.robots"/>"><t:robots names="${view.robots}"/></td>
+              <td data-label="<fmt:message key="tasks.column.expected"/>"><c:if test="${not empty view.expected}"><c:choose><c:when test="${not empty view.expected.delivery}"><t:time at="${view.expected.delivery}"/></c:when><c:otherwise><small class="faint"><t:said sentence="${view.expected.unknown}"/></small></c:otherwise></c:choose></c:if></td>
               <td data-label="<fmt:message key="tasks.column.user"/>"><bdi><c:out value="${view.task.user}"/></bdi></td>
               <td data-label="<fmt:message key="tasks.column.created"/>"><t:time at="${view.task.createdAt}"/></td>
             </tr>

@@ -149,6 +149,12 @@ public interface FleetStore {
   }
 
   /**
+   * Keeps when tasks were expected to be delivered, for the statistics; what was kept of a task
+   * before stays.
+   */
+  void saveExpectations(List<ExpectedDelivery> expectations);
+
+  /**
    * Deletes a task that has ended and whose load does not lie on the floor; its events stay.
    *
    * @return false: it is no such task; nothing has changed then
@@ -190,6 +196,13 @@ public interface FleetStore {
    * @param idempotencyKey names this submission, so that it can be withdrawn
    */
   record Submission(TransportTask task, UUID idempotencyKey) {}
+
+  /**
+   * When a task is expected to be delivered.
+   *
+   * @param hasRobots whether that was said when robots had just got it; else when it was ordered
+   */
+  record ExpectedDelivery(long task, boolean hasRobots, Instant delivery) {}
 
   /**
    * @param mission as it is from now on

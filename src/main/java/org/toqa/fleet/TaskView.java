@@ -28,6 +28,8 @@ import org.toqa.wording.Sentence;
  * @param late a sentence while its deadline cannot be met, else null
  * @param load which one it has
  * @param progress how far it is on its way
+ * @param expected when it will be picked up and delivered; null: nothing is said of it yet, or it
+ *     is delivered or has ended
  */
 public record TaskView(
     TransportTask task,
@@ -41,7 +43,8 @@ public record TaskView(
     @Nullable Sentence late,
     Instant changedAt,
     LoadRecord load,
-    StopProgress progress) {
+    StopProgress progress,
+    @Nullable ExpectedTimes expected) {
 
   public TaskView {
     robots = List.copyOf(robots);
@@ -63,7 +66,8 @@ public record TaskView(
         null,
         changedAt,
         mission.loadRecord(),
-        mission.progress());
+        mission.progress(),
+        null);
   }
 
   public TaskView withLateness(@Nullable Sentence nextLate) {
@@ -79,7 +83,8 @@ public record TaskView(
         nextLate,
         changedAt,
         load,
-        progress);
+        progress,
+        expected);
   }
 
   /**
@@ -87,7 +92,25 @@ public record TaskView(
    */
   public TaskView withWaitReason(Sentence reason) {
     return new TaskView(
-        task, state, held, robots, loadAt, reason, blocked, needs, late, changedAt, load, progress);
+        task, state, held, robots, loadAt, reason, blocked, needs, late, changedAt, load, progress,
+        expected);
+  }
+
+  public TaskView withExpected(@Nullable ExpectedTimes times) {
+    return new TaskView(
+        task,
+        state,
+        held,
+        robots,
+        loadAt,
+        waitingFor,
+        blocked,
+        needs,
+        late,
+        changedAt,
+        load,
+        progress,
+        times);
   }
 
   public TaskView asBlocked() {
@@ -103,7 +126,8 @@ public record TaskView(
         late,
         changedAt,
         load,
-        progress);
+        progress,
+        expected);
   }
 
   /**

@@ -177,15 +177,19 @@ public record Mission(
         : Optional.of(task.route().get(progress.stop()));
   }
 
-  /** Whether they have waited there for as long as was ordered. */
-  public boolean isWaitOver(Instant now) {
+  /**
+   * Whether they have waited there for as long as was ordered.
+   *
+   * @param pace seconds of the fleet's time in a second of the clock
+   */
+  public boolean isWaitOver(Instant now, double pace) {
     Instant since = progress.waitingSince();
     return since != null
         && !held
         && trouble == null
         && waitingStop()
-            .map(Stop::waitTime)
-            .filter(wait -> !since.plus(wait).isAfter(now))
+            .flatMap(stop -> stop.waitLeft(since, now, pace))
+            .filter(left -> !left.isPositive())
             .isPresent();
   }
 

@@ -1,6 +1,8 @@
 package org.toqa.mission;
 
 import java.time.Duration;
+import java.time.Instant;
+import java.util.Optional;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -15,6 +17,18 @@ public record Stop(TaskPlace place, boolean awaitsPerson, @Nullable Duration wai
   /** One at which nobody waits. */
   public static Stop at(TaskPlace place) {
     return new Stop(place, false, null);
+  }
+
+  /**
+   * How long they still wait here, of the fleet's time, 0 or less where that is over; empty: a
+   * person alone is waited for, or nobody.
+   *
+   * @param since when they came
+   * @param pace seconds of the fleet's time in a second of the clock
+   */
+  public Optional<Duration> waitLeft(Instant since, Instant now, double pace) {
+    return Optional.ofNullable(waitTime)
+        .map(wait -> wait.minusMillis(Math.round(pace * Duration.between(since, now).toMillis())));
   }
 
   public boolean hasWait() {

@@ -1,6 +1,7 @@
 package org.toqa.store;
 
 import java.util.Collection;
+import java.util.Comparator;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
@@ -304,6 +305,17 @@ public final class JdbiFleetStore implements FleetStore, TaskArchive {
             EventTable.addMissing(h, change.events());
           }
           robots.forEach(robot -> TaskTable.saveAvailability(h, robot));
+          return null;
+        });
+  }
+
+  @Override
+  public void saveExpectations(List<ExpectedDelivery> expectations) {
+    sql.inTransaction(
+        h -> {
+          expectations.stream()
+              .sorted(Comparator.comparingLong(ExpectedDelivery::task)) // everybody locks them so
+              .forEach(expectation -> TaskTable.saveExpectation(h, expectation));
           return null;
         });
   }

@@ -50,7 +50,10 @@ public final class JdbiStatisticsArchive implements StatisticsArchive {
 
   private static final String DELIVERY =
       """
-      select %1$d as bucket, timestampdiff(microsecond, created_at, delivered_at) as took from tasks
+      select %1$d as bucket, timestampdiff(microsecond, created_at, delivered_at) as took,
+        abs(timestampdiff(microsecond, expected_at_order, delivered_at)) as order_error,
+        abs(timestampdiff(microsecond, expected_at_start, delivered_at)) as start_error
+      from tasks
       where delivered_at >= :border%1$d and delivered_at < :border%2$d FLOOR
       """;
 
@@ -110,9 +113,15 @@ public final class JdbiStatisticsArchive implements StatisticsArchive {
     PeriodStatistics read() {
       each(ORDERED, (row, tally) -> tally.ordered += row.getLong("tasks"));
       each(CHANGED, (row, tally) -> tally.addState(state(row), row.getLong("tasks")));
-      each(WAITING, (row, tally) -> addDuration(row, tally.waitingMicros));
-      each(DELIVERY, (row, tally) -> addDuration(row, tally.deliveryMicros));
-      each(COMPLETION, (row, tally) -> addDuration(row, tally.completionMicros));
+      each(WAITING, (row, tally) -> addDuration(row, "took", tally.waitingMicros));
+      each(
+          DELIVERY,
+          (row, tally) -> {
+            addDuration(row, "took", tally.deliveryMicros);
+            addDuration(row, "order_error", tally.orderErrorMicros);
+            addDuration(row, "start_error", tally.startErrorMicros);
+          });
+      each(COMPLETION, (row, tally) -> addDuration(row, "took", tally.completionMicros));
       each(UTILISATION, (row, tally) -> tally.addUtilisation(utilisation(row)));
       readFailures();
       return new PeriodStatistics(
@@ -178,8 +187,9 @@ public final class JdbiStatisticsArchive implements StatisticsArchive {
     }
   }
 
-  private static void addDuration(ResultSet row, LongStream.Builder durations) throws SQLException {
-    long microseconds = row.getLong("took");
+  private static void addDuration(ResultSet row, String column, LongStream.Builder durations)
+      throws SQLException {
+    long microseconds = row.getLong(column);
     if (!row.wasNull()) {
       durations.add(microseconds);
     }

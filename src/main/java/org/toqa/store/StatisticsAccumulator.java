@@ -19,6 +19,8 @@ final class StatisticsAccumulator {
   final LongStream.Builder waitingMicros = LongStream.builder();
   final LongStream.Builder deliveryMicros = LongStream.builder();
   final LongStream.Builder completionMicros = LongStream.builder();
+  final LongStream.Builder orderErrorMicros = LongStream.builder();
+  final LongStream.Builder startErrorMicros = LongStream.builder();
   private final Map<TaskState, Long> states = new EnumMap<>(TaskState.class);
   private final Map<FailureKind, Long> failures = new EnumMap<>(FailureKind.class);
   private final Map<String, RobotUtilisation> robots = new TreeMap<>();
@@ -62,6 +64,8 @@ final class StatisticsAccumulator {
         DurationStatistics.of(waitingMicros.build().toArray()),
         DurationStatistics.of(deliveryMicros.build().toArray()),
         DurationStatistics.of(completionMicros.build().toArray()),
+        DurationStatistics.of(orderErrorMicros.build().toArray()),
+        DurationStatistics.of(startErrorMicros.build().toArray()),
         robots.values().stream().mapToDouble(RobotUtilisation::metres).sum(),
         robots.values().stream().mapToDouble(RobotUtilisation::battery).sum(),
         failures);

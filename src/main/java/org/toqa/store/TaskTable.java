@@ -11,6 +11,7 @@ import java.util.function.BiFunction;
 import org.jdbi.v3.core.Handle;
 import org.jdbi.v3.core.statement.Update;
 import org.jspecify.annotations.Nullable;
+import org.toqa.fleet.FleetStore.ExpectedDelivery;
 import org.toqa.fleet.FleetStore.Submission;
 import org.toqa.mission.ArmHandling;
 import org.toqa.mission.AssignedRobot;
@@ -166,6 +167,15 @@ final class TaskTable {
         .bind("stop", mission.progress().stop())
         .bind("waitingSince", mission.progress().waitingSince())
         .bind("id", mission.id())
+        .execute();
+  }
+
+  static void saveExpectation(Handle h, ExpectedDelivery expectation) {
+    String column = expectation.hasRobots() ? "expected_at_start" : "expected_at_order";
+    h.createUpdate(
+            "update tasks set %1$s = coalesce(%1$s, :delivery) where id = :id".formatted(column))
+        .bind("delivery", expectation.delivery())
+        .bind("id", expectation.task())
         .execute();
   }
 

@@ -6,6 +6,7 @@ import java.util.Optional;
 import java.util.function.Function;
 import java.util.function.UnaryOperator;
 import java.util.stream.Collectors;
+import org.toqa.fleet.ExpectedTimes;
 import org.toqa.fleet.FleetSnapshot;
 import org.toqa.fleet.TaskArchive.Filter;
 import org.toqa.fleet.TaskArchive.Sort;
@@ -55,10 +56,14 @@ public final class Tasks {
 
   /** Snapshots hold the first ones of the queue; what else is queued comes after them, or now. */
   private TaskView withReason(TaskView stored) {
-    return stored.state() == TaskState.QUEUED && stored.waitingFor() == null
-        ? stored.withWaitReason(
-            (isQueueLong() ? Phrase.OTHERS_COME_FIRST : Phrase.LOOKING_FOR_ROBOT).with())
-        : stored;
+    if (stored.state() != TaskState.QUEUED || stored.waitingFor() != null) {
+      return stored;
+    }
+    return isQueueLong()
+        ? stored
+            .withWaitReason(Phrase.OTHERS_COME_FIRST.with())
+            .withExpected(new ExpectedTimes(null, null, Phrase.EXPECTED_LATER.with()))
+        : stored.withWaitReason(Phrase.LOOKING_FOR_ROBOT.with());
   }
 
   private boolean isQueueLong() {

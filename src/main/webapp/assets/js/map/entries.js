@@ -1,6 +1,8 @@
 import {locale} from '../shared/locale.js';
 import {text} from '../shared/texts.js';
 
+const time = new Intl.DateTimeFormat(locale, {timeStyle: 'short'});
+const moment = new Intl.DateTimeFormat(locale, {dateStyle: 'short', timeStyle: 'short'});
 const percent = new Intl.NumberFormat(locale, {style: 'percent'});
 
 /** The fault of a robot that refused a connection, or undefined. */
@@ -29,8 +31,18 @@ export function taskEntry(task) {
     letter: String(task.id),
     title: task.name,
     side: text(`task.state.${task.state}`),
-    sentence: task.needs?.question ?? (task.blocked ? task.waitingFor : task.late) ?? task.waitingFor ?? task.robots.join(text('common.comma')),
+    sentence: withExpected(task, task.needs?.question ?? (task.blocked ? task.waitingFor : task.late) ?? task.waitingFor ?? task.robots.join(text('common.comma'))),
   };
+}
+
+/** With when it will be delivered, where that can be said. */
+function withExpected({expected}, sentence) {
+  return expected?.delivery ? text('map.expected', sentence, timeText(new Date(expected.delivery))) : sentence;
+}
+
+/** With its day where that is not today. */
+function timeText(at) {
+  return (at.toDateString() === new Date().toDateString() ? time : moment).format(at);
 }
 
 export function standstillEntry({robots: names, since, text: sentence}) {

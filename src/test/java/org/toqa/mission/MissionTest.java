@@ -50,7 +50,7 @@ class MissionTest {
     assertEquals(List.of("Waits at Store"), said(step));
     assertEquals(TaskState.TO_OBJECT, step.mission().state());
     assertEquals(List.of(), step.commands());
-    assertFalse(step.mission().isWaitOver(NOON.plusSeconds(1_000_000)), "a person says it");
+    assertFalse(step.mission().isWaitOver(NOON.plusSeconds(1_000_000), 1), "a person says it");
 
     step = step.mission().apply(new MissionEvent.GoOn("max", 0));
     assertEquals(List.of("max let the robot go on from Store", "Picked up at Store"), said(step));
@@ -71,8 +71,10 @@ class MissionTest {
     assertEquals(TaskState.CARRYING, step.mission().state());
 
     Mission waiting = step.mission().apply(arrived(Phase.TO_GOAL, 3)).mission();
-    assertFalse(waiting.isWaitOver(NOON.plusSeconds(29)));
-    assertTrue(waiting.isWaitOver(NOON.plusSeconds(30)));
+    assertFalse(waiting.isWaitOver(NOON.plusSeconds(29), 1));
+    assertTrue(waiting.isWaitOver(NOON.plusSeconds(30), 1));
+    assertFalse(waiting.isWaitOver(NOON.plusSeconds(1), 20)); // 20 s of the fleet's time
+    assertTrue(waiting.isWaitOver(NOON.plusSeconds(2), 20));
     step = waiting.apply(new MissionEvent.WaitEnded(3));
     assertEquals(TaskState.RETURNING, step.mission().state());
     assertEquals(List.of(new MissionCommand.Drive("r1", Phase.HOME)), step.commands());

@@ -17,6 +17,7 @@ import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.toqa.fleet.EventRecord;
+import org.toqa.fleet.FleetStore.ExpectedDelivery;
 import org.toqa.fleet.FleetStore.Submission;
 import org.toqa.fleet.RobotRecord;
 import org.toqa.fleet.history.DurationStatistics;
@@ -82,6 +83,25 @@ class StatisticsTest extends DatabaseTest {
     assertEquals(new DurationStatistics(10, 55, 50, 90), day.waiting());
     assertEquals(new DurationStatistics(10, 255, 250, 290), day.delivery());
     assertEquals(new DurationStatistics(10, 1055, 1050, 1090), day.completion());
+  }
+
+  @Test
+  void whatWasExpectedIsComparedWithWhatCame() {
+    TransportTask task = ordered(NOON);
+    store.saveExpectations(
+        List.of(
+            new ExpectedDelivery(task.id(), false, NOON.plusSeconds(50)),
+            new ExpectedDelivery(task.id(), true, NOON.plusSeconds(85))));
+    store.saveExpectations( // which comes too late
+        List.of(new ExpectedDelivery(task.id(), true, NOON.plusSeconds(100))));
+    change(task, TaskState.ASSIGNED, NOON.plusSeconds(20));
+    change(task, TaskState.RETURNING, NOON.plusSeconds(80));
+    done(NOON, 10, 60, 90); // of which nothing was said
+
+    WorkStatistics day = statistics.statistics(Period.of(DAY, DAY, UTC)).total();
+
+    assertEquals(new DurationStatistics(1, 30, 30, 30), day.orderError());
+    assertEquals(new DurationStatistics(1, 5, 5, 5), day.startError());
   }
 
   @Test

@@ -91,6 +91,7 @@ public final class Views {
         late,
         changedAt,
         new LoadRecord(task.id(), task.createdAt()),
-        StopProgress.START);
+        StopProgress.START,
+        null);
   }
 }

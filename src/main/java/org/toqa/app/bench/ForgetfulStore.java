@@ -137,5 +137,8 @@ final class ForgetfulStore implements FleetStore {
   }
 
   @Override
+  public void saveExpectations(List<ExpectedDelivery> expectations) {}
+
+  @Override
   public void addEvents(List<EventRecord> events) {}
 }

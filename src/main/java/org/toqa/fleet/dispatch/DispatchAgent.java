@@ -47,6 +47,7 @@ final class DispatchAgent extends AbstractBehavior<DispatchMessage> {
   private final StoreHealthCheck storeHealth;
   private final FloorHoldHandler holds;
   private final LateTaskReporter lateTasks;
+  private final TaskForecaster forecaster;
   private final AllocatorChoice allocator;
   private final RoundDecider decider;
   private final AllocationRounds rounds;
@@ -137,6 +138,7 @@ final class DispatchAgent extends AbstractBehavior<DispatchMessage> {
     Set<Long> toldBefore = open.stream().map(t -> t.mission().id()).collect(Collectors.toSet());
     this.lateTasks =
         new LateTaskReporter(state, new DeadlineWatch(shared.rules().pace(), toldBefore), self);
+    this.forecaster = new TaskForecaster(state, shared.rules(), self);
     this.allocator = new AllocatorChoice(state, shared.method(), self);
     health.expectStart();
     this.decider =
@@ -144,7 +146,8 @@ final class DispatchAgent extends AbstractBehavior<DispatchMessage> {
             allocator::method, context.spawn(NegotiationAgent.of(now, runtime), "negotiation"));
     this.rounds = new AllocationRounds(state, decider, paths, self);
     this.snapshotPublisher =
-        new SnapshotPublisher(state, rounds, allocator, lateTasks, holds, storeHealth, latest);
+        new SnapshotPublisher(
+            state, rounds, allocator, lateTasks, forecaster, holds, storeHealth, latest);
     this.taskCommands =
         new TaskCommandHandler(
             state,
@@ -266,6 +269,7 @@ final class DispatchAgent extends AbstractBehavior<DispatchMessage> {
       case DispatchMessage.AllocationDecided m -> rounds.allocationDecided(m);
       case DispatchMessage.DeadlinesChecked m -> lateTasks.deadlinesChecked(m);
       case DispatchMessage.QueuedDeadlinesChecked m -> lateTasks.queuedDeadlinesChecked(m);
+      case DispatchMessage.TasksForecast m -> forecaster.forecast(m.result());
       case DispatchMessage.StoreHealthChanged _ ->
           snapshotPublisher.publish(); // also where simulated time stands still
       case DispatchMessage.Tick m -> tick(m.latest().get());
@@ -316,6 +320,7 @@ final class DispatchAgent extends AbstractBehavior<DispatchMessage> {
     decider.tick(now);
     rounds.beginDueRound();
     lateTasks.check(now);
+    forecaster.update(now);
   }
 
   private void floorTicked() {

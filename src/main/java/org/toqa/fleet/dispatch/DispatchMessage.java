@@ -302,6 +302,13 @@ public sealed interface DispatchMessage {
       List<TaskView> tasks, Map<Long, Delivery> earliest, Consumer<List<TaskView>> reply)
       implements DispatchMessage {}
 
+  /**
+   * It was computed when tasks will be delivered.
+   *
+   * @param result null: that failed
+   */
+  record TasksForecast(TaskForecaster.@Nullable Result result) implements DispatchMessage {}
+
   /** The store has stopped or begun to answer. */
   record StoreHealthChanged(boolean available) implements DispatchMessage {}
 

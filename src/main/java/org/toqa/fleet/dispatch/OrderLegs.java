@@ -4,6 +4,7 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.OptionalLong;
 import java.util.TreeMap;
 import org.jspecify.annotations.Nullable;
 import org.toqa.fleet.FleetStore.OpenTask;
@@ -69,6 +70,15 @@ final class OrderLegs {
   Optional<Sentence> reasonToWait(TransportTask task) {
     OrderPart part = task.part();
     return part == null ? Optional.empty() : part.reasonToWait(previous(part));
+  }
+
+  /** The task that has to be delivered before it, if that is still to come. */
+  OptionalLong taskBefore(TransportTask task) {
+    OrderPart part = task.part();
+    OrderPart.Previous before = part == null ? null : previous(part);
+    return before == null || reasonToWait(task).isEmpty()
+        ? OptionalLong.empty()
+        : OptionalLong.of(before.task());
   }
 
   /** Whether the task never begins by itself. */

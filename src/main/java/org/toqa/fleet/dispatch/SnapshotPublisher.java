@@ -22,12 +22,13 @@ import org.toqa.wording.Sentence;
 
 /** Publishes snapshots of the floor. */
 final class SnapshotPublisher {
-  private static final int QUEUED_SHOWN = 100;
+  static final int QUEUED_SHOWN = 100;
 
   private final DispatchState state;
   private final AllocationRounds rounds;
   private final AllocatorChoice allocator;
   private final LateTaskReporter lateTasks;
+  private final TaskForecaster forecaster;
   private final FloorHoldHandler holds;
   private final StoreHealthCheck storeHealth;
   private final LatestSnapshot latest;
@@ -37,6 +38,7 @@ final class SnapshotPublisher {
       AllocationRounds rounds,
       AllocatorChoice allocator,
       LateTaskReporter lateTasks,
+      TaskForecaster forecaster,
       FloorHoldHandler holds,
       StoreHealthCheck storeHealth,
       LatestSnapshot latest) {
@@ -44,6 +46,7 @@ final class SnapshotPublisher {
     this.rounds = rounds;
     this.allocator = allocator;
     this.lateTasks = lateTasks;
+    this.forecaster = forecaster;
     this.holds = holds;
     this.storeHealth = storeHealth;
     this.latest = latest;
@@ -70,6 +73,7 @@ final class SnapshotPublisher {
     List<TaskView> newestFirst =
         tasks.values().stream()
             .map(lateTasks::withLateness)
+            .map(forecaster::withExpected)
             .sorted(Comparator.comparingLong(TaskView::id).reversed())
             .toList();
     latest.publish(

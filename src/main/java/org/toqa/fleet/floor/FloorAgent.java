@@ -119,7 +119,12 @@ public final class FloorAgent extends AbstractBehavior<FloorMessage> {
     reports = new FloorReporter(state, watch, manager);
     missions =
         new FloorMissions(
-            state, reports, new RobotWatch(rules.reassignAfter()), context.getSelf(), manager);
+            state,
+            reports,
+            new RobotWatch(rules.reassignAfter()),
+            rules.pace(),
+            context.getSelf(),
+            manager);
     state.hold = memory.hold();
     holds = new HoldDispatcher(state, memory.pause());
     homing = new HomeDispatcher(state);

@@ -2,6 +2,7 @@ package org.toqa.fleet.floor;
 
 import java.util.Collections;
 import java.util.LinkedHashMap;
+import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
@@ -37,7 +38,7 @@ public final class FloorDistances implements PathLengths {
 
   public FloorDistances(OccupancyGrid grid) {
     this.grid = grid;
-    int most = Math.max(16, CELLS_KEPT / (grid.width() * grid.height()));
+    int most = placesKept(grid);
     fields =
         Collections.synchronizedMap(
             new LinkedHashMap<>(16, 0.75f, true) {
@@ -62,6 +63,25 @@ public final class FloorDistances implements PathLengths {
     return grid.rules().isDirected()
         ? lengthsTo(to, diameter).applyAsDouble(from)
         : lengthsTo(from, diameter).applyAsDouble(to); // the same, and more often known
+  }
+
+  /**
+   * A shortest path by the map as the corners of its line, metres, map frame; it goes straight on
+   * where it can. Empty where there is none that is wide enough.
+   */
+  public List<Vec2> path(Vec2 from, Vec2 to, double diameter) {
+    Key key = new Key(grid.cellAt(to), diameter);
+    DistanceField known = fields.get(key);
+    return new FieldPath(grid, known == null ? findField(key) : known).from(from, to);
+  }
+
+  /** How many places of one size lengths are kept for. */
+  public int placesKept() {
+    return placesKept(grid);
+  }
+
+  private static int placesKept(OccupancyGrid grid) {
+    return Math.max(16, CELLS_KEPT / (grid.width() * grid.height()));
   }
 
   /**

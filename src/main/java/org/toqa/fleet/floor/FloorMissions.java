@@ -38,18 +38,24 @@ final class FloorMissions {
   private final FloorState state;
   private final FloorReporter reports;
   private final RobotWatch robotWatch;
+  private final double pace;
   private final ActorRef<FloorMessage> self;
   private final ActorRef<FloorEvent> manager;
 
+  /**
+   * @param pace as in {@link org.toqa.fleet.FleetRules}
+   */
   FloorMissions(
       FloorState state,
       FloorReporter reports,
       RobotWatch robotWatch,
+      double pace,
       ActorRef<FloorMessage> self,
       ActorRef<FloorEvent> manager) {
     this.state = state;
     this.reports = reports;
     this.robotWatch = robotWatch;
+    this.pace = pace;
     this.self = self;
     this.manager = manager;
   }
@@ -328,7 +334,7 @@ final class FloorMissions {
     if (mission.isEmpty()) {
       return;
     }
-    if (mission.get().isWaitOver(state.clock.instant())) {
+    if (mission.get().isWaitOver(state.clock.instant(), pace)) {
       applyEvent(mission.get(), new MissionEvent.WaitEnded(mission.get().progress().stop()));
       return;
     }

@@ -27,13 +27,10 @@ final class StatisticsCsv {
   static CsvWriter series(PeriodStatistics figures) {
     List<String> header = new ArrayList<>(List.of("from", "until"));
     header.addAll(List.of("ordered", "done", "failed", "cancelled"));
-    for (String what : List.of("waiting", "delivery", "completion")) {
-      Stream.of("tasks", "mean_s", "median_s", "p90_s")
-          .map(s -> what + "_" + s)
-          .forEach(header::add);
-    }
+    header.addAll(durationColumns("waiting", "delivery", "completion"));
     header.addAll(List.of("distance_m", "battery_used_percent"));
     Stream.of(FailureKind.values()).map(FailureKind::kind).forEach(header::add);
+    header.addAll(durationColumns("order_error", "start_error"));
     CsvWriter csv = new CsvWriter(header);
     for (int i = 0; i < figures.period().bucketCount(); i++) {
       List<@Nullable Object> line = new ArrayList<>();
@@ -53,6 +50,14 @@ final class StatisticsCsv {
     line.add(number(figures.metres()));
     line.add(number(100 * figures.battery()));
     Stream.of(FailureKind.values()).map(figures.failures()::get).forEach(line::add);
+    addDurations(figures.orderError(), line);
+    addDurations(figures.startError(), line);
+  }
+
+  private static List<String> durationColumns(String... names) {
+    return Stream.of(names)
+        .flatMap(name -> Stream.of("tasks", "mean_s", "median_s", "p90_s").map(s -> name + "_" + s))
+        .toList();
   }
 
   private static void addDurations(

@@ -41,6 +41,8 @@ record StatisticsJson(
       @Nullable DurationStatistics waiting,
       @Nullable DurationStatistics delivery,
       @Nullable DurationStatistics completion,
+      @Nullable DurationStatistics orderError,
+      @Nullable DurationStatistics startError,
       double metres,
       double battery,
       Map<String, Long> failures) {
@@ -55,6 +57,8 @@ record StatisticsJson(
           f.waiting(),
           f.delivery(),
           f.completion(),
+          f.orderError(),
+          f.startError(),
           f.metres(),
           f.battery(),
           failures);

@@ -6,6 +6,7 @@ import java.time.Instant;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
 import org.toqa.fleet.EventRecord;
+import org.toqa.fleet.ExpectedTimes;
 import org.toqa.fleet.NegotiationEntry;
 import org.toqa.fleet.TaskView;
 import org.toqa.mission.ArmHandling;
@@ -24,6 +25,7 @@ import org.toqa.wording.Sentence;
  * @param arm null: no arm picks it up
  * @param loadAt where the load is if that is neither its start nor its goal
  * @param blocked whether it waits for what will not come by itself
+ * @param expected when it will be picked up and delivered; null: nothing is said of it
  * @param order which part of an order it is
  * @param stops all of its way, the start first and the goal last
  * @param onlyRobots those that may carry it; empty: whichever there are
@@ -53,6 +55,7 @@ public record TaskJson(
     boolean blocked,
     @Nullable Sentence late,
     @Nullable Question needs,
+    @Nullable ExpectedTimes expected,
     @Nullable OrderPartJson order,
     List<String> onlyRobots,
     List<StopJson> stops,
@@ -161,6 +164,7 @@ public record TaskJson(
         view.blocked(),
         view.late(),
         view.needs(),
+        view.expected(),
         OrderPartJson.of(task.part()),
         task.onlyRobots(),
         view.stops().stream().map(StopJson::of).toList(),

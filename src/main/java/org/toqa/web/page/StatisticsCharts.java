@@ -41,6 +41,8 @@ final class StatisticsCharts {
         durations("delivery", WorkStatistics::delivery),
         durations("waiting", WorkStatistics::waiting),
         durations("completion", WorkStatistics::completion),
+        durations("orderError", WorkStatistics::orderError),
+        durations("startError", WorkStatistics::startError),
         singleColumn("distance", Unit.METRES, WorkStatistics::metres),
         singleColumn("battery", Unit.SHARE, WorkStatistics::battery),
         failures());

@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.net.http.HttpResponse;
+import java.time.Instant;
 import java.util.List;
 import java.util.Set;
 import java.util.TreeSet;
@@ -12,7 +13,9 @@ import java.util.stream.Collectors;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.toqa.fleet.ExpectedTimes;
 import org.toqa.mission.TaskState;
+import org.toqa.wording.Phrase;
 import tools.jackson.databind.JsonNode;
 
 /** Tasks that the API takes and lists. */
@@ -91,12 +94,39 @@ class ApiTasksTest extends ApiTestServer {
   }
 
   @Test
+  void aTaskSaysWhenItIsExpectedOrWhyNobodyCanSay() {
+    long id = JSON.readTree(post(token, "api/v1/tasks", GOOD_TASK).body()).get("id").asLong();
+    Instant pickUp = Instant.parse("2026-11-21T08:00:30Z");
+    server
+        .fleet()
+        .changeView(
+            id, task -> task.withExpected(new ExpectedTimes(pickUp, pickUp.plusSeconds(60), null)));
+
+    JsonNode expected = JSON.readTree(get("api/v1/tasks/" + id).body()).get("expected");
+    assertEquals("2026-11-21T08:00:30Z", expected.get("pickUp").stringValue());
+    assertEquals("2026-11-21T08:01:30Z", expected.get("delivery").stringValue());
+    assertTrue(expected.get("unknown").isNull());
+
+    server
+        .fleet()
+        .changeView(
+            id,
+            task ->
+                task.withExpected(
+                    new ExpectedTimes(null, null, Phrase.EXPECTED_AFTER_HOLD.with())));
+    JsonNode held = JSON.readTree(get("api/v1/tasks").body()).at("/tasks/0/expected");
+    assertTrue(held.get("delivery").isNull());
+    assertEquals("This depends on when it is resumed.", held.get("unknown").stringValue());
+  }
+
+  @Test
   void aTaskHasAllThatIsPromised() {
     long id = JSON.readTree(post(token, "api/v1/tasks", GOOD_TASK).body()).get("id").asLong();
 
     JsonNode waiting = JSON.readTree(get("api/v1/tasks/" + id).body());
     assertEquals("Looking for a robot.", waiting.get("waitingFor").stringValue());
     assertTrue(waiting.get("needs").isNull());
+    assertTrue(waiting.get("expected").isNull());
     assertFalse(waiting.get("held").booleanValue());
     assertEquals(1, waiting.get("history").size());
 

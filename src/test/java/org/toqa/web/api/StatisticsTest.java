@@ -144,16 +144,18 @@ class StatisticsTest {
             + "completion_tasks,completion_mean_s,completion_median_s,completion_p90_s,"
             + "distance_m,battery_used_percent,task.robot-failed,task.robot-lost,"
             + "task.robot-withdrawn,task.robot-charges,task.late,traffic.standstill,"
-            + "robot.charger-fails",
+            + "robot.charger-fails,"
+            + "order_error_tasks,order_error_mean_s,order_error_median_s,order_error_p90_s,"
+            + "start_error_tasks,start_error_mean_s,start_error_median_s,start_error_p90_s",
         lines.getFirst());
     assertEquals(
         "2026-11-19T00:00:00+01:00,2026-11-20T00:00:00+01:00,"
-            + "0,0,0,0,0,,,,0,,,,0,,,,0.000,0.000,0,0,0,0,0,0,0",
+            + "0,0,0,0,0,,,,0,,,,0,,,,0.000,0.000,0,0,0,0,0,0,0,0,,,,0,,,",
         lines.get(4));
     assertEquals(
         "2026-11-20T00:00:00+01:00,2026-11-21T00:00:00+01:00,4,2,0,1,"
             + "2,20.000,10.000,30.000,2,110.000,60.000,160.000,2,210.000,120.000,300.000,"
-            + "150.000,2.500,1,0,1,0,0,0,0", // 100 * (0.02 + 0.005) of a battery
+            + "150.000,2.500,1,0,1,0,0,0,0,0,,,,0,,,", // 100 * (0.02 + 0.005) of a battery
         lines.get(5));
   }
 

@@ -8,6 +8,7 @@ import com.microsoft.playwright.Page;
 import com.microsoft.playwright.options.AriaRole;
 import com.microsoft.playwright.options.FilePayload;
 import java.nio.charset.StandardCharsets;
+import java.time.Instant;
 import java.util.List;
 import java.util.regex.Pattern;
 import org.junit.jupiter.api.Test;
@@ -15,6 +16,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import org.toqa.accounts.Role;
 import org.toqa.fleet.CheckRefusedException;
+import org.toqa.fleet.ExpectedTimes;
 import org.toqa.mission.TaskState;
 import org.toqa.web.WebTestServer;
 import org.toqa.wording.Phrase;
@@ -55,6 +57,31 @@ class TaskPagesInBrowserTest extends PagesInBrowser {
     server.fleet().changeTask(1, TaskState.DONE, List.of("r1"), "r1 has parked.");
     assertThat(page.locator(".history li")).hasCount(3);
     assertThat(page.locator("[aria-current=step]")).hasText("Done");
+  }
+
+  @Test
+  void whenATaskIsExpectedIsToldOnItsPageInTheListAndBesideTheMap() {
+    Page page = pageOfNewTask("2.5");
+    String task = page.url();
+    ExpectedTimes times =
+        new ExpectedTimes(
+            Instant.parse("2098-07-01T19:58:00Z"), Instant.parse("2098-07-01T20:00:00Z"), null);
+    server.fleet().changeView(1, view -> view.withExpected(times));
+    assertThat(page.locator("#expected-pick-up time")).containsText("2:58"); // in Bogota
+    assertThat(page.locator("#expected-delivery time")).containsText("3:00");
+    assertFits(page, "task-expected", DESK, PHONE);
+    page.navigate(server.root() + "tasks");
+    assertThat(page.locator("time[datetime='2098-07-01T20:00:00Z']")).containsText("3:00");
+    assertFits(page, "tasks-expected", DESK, PHONE);
+    page.navigate(server.root() + "map");
+    assertThat(page.locator("#tasks")).containsText(Pattern.compile("delivery .*3:00"));
+    assertFits(page, "map-expected", DESK, PHONE);
+
+    page.navigate(task);
+    ExpectedTimes unknown = new ExpectedTimes(null, null, Phrase.EXPECTED_AFTER_HOLD.with());
+    server.fleet().changeView(1, view -> view.withExpected(unknown));
+    assertThat(page.locator("#expected-delivery")).containsText("when it is resumed");
+    assertThat(page.locator("#expected-pick-up")).hasCount(0);
   }
 
   @Test
