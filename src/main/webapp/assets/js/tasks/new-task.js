@@ -144,9 +144,11 @@ class NewTaskPage {
       return undefined;
     }
     const [length, width] = [number('length'), number('width')];
+    const stops = oneRobotsWay(start, goal);
     return {
       name: $('#name').value.trim() || '?',
-      load, start, goal,
+      load,
+      ...(stops ? {stops} : {start, goal}),
       floor: this.#floor?.name,
       priority: number('priority'),
       size: length && width ? {length, width} : undefined,
@@ -163,6 +165,26 @@ class NewTaskPage {
       $('.picker small').textContent = text('map.failed');
     }
   }
+}
+
+/** All stops, as the API takes them, where one robot goes the whole way; else undefined. */
+function oneRobotsWay(start, goal) {
+  const values = (name) => [...document.querySelectorAll(`select[name="${name}"]`)].map(({value}) => value);
+  const waits = values('stopWait');
+  const further = values('stopStation')
+    .map((station, at) => withWait({station}, waits[at]))
+    .filter(({station}) => station);
+  const way = [withWait(start, values('startWait')[0]), withWait(goal, values('goalWait')[0]), ...further];
+  const hasWait = way.some(({waitForPerson, waitSeconds}) => waitForPerson || waitSeconds);
+  return hasWait || (further.length > 0 && $('#carriedBy').value === 'one') ? way : undefined;
+}
+
+/** @param wait as the form has it: person, a number of seconds, or nothing */
+function withWait(place, wait) {
+  if (!wait) {
+    return place;
+  }
+  return wait === 'person' ? {...place, waitForPerson: true} : {...place, waitSeconds: Number(wait)};
 }
 
 function number(id) {

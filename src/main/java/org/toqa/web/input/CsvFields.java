@@ -8,7 +8,9 @@ import java.time.ZoneId;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
+import org.toqa.fleet.TaskOrder.StopOrder;
 import org.toqa.fleet.TaskOrder.Where;
 import org.toqa.geometry.Vec2;
 import org.toqa.mission.TransportTask.LoadSize;
@@ -29,6 +31,9 @@ record CsvFields(
     FieldErrors errors)
     implements Fields {
 
+  /** The column of further stops. */
+  private static final String STOPS = "stops";
+
   @Override
   public @Nullable String text(String column) {
     String given = cells.getOrDefault(column, "").strip();
@@ -48,7 +53,7 @@ record CsvFields(
     if (given == null) {
       return null;
     }
-    Optional<Double> number = Digits.number(hasDecimalComma ? given.replace(',', '.') : given);
+    Optional<Double> number = decimal(given);
     if (number.isEmpty()) {
       errors.add(
           column,
@@ -57,6 +62,10 @@ record CsvFields(
               : texts.get("error.notANumber"));
     }
     return number.orElse(null);
+  }
+
+  private Optional<Double> decimal(String given) {
+    return Digits.number(hasDecimalComma ? given.replace(',', '.') : given);
   }
 
   /** With its offset from UTC, or in the table's time zone. */
@@ -94,6 +103,62 @@ record CsvFields(
       errors.add(end, texts.get("error.import.place", end));
     }
     return new Where.Station(station == null ? "" : station);
+  }
+
+  /**
+   * The further stops in their column, with bars between; each a station or two coordinates, and
+   * after a colon what is waited for there.
+   */
+  @Override
+  public List<StopOrder> stops(String name, int max) {
+    String given = text(STOPS);
+    if (given == null) {
+      return List.of();
+    }
+    List<StopOrder> stops =
+        Stream.of(given.split("\\|"))
+            .map(String::strip)
+            .filter(stop -> !stop.isEmpty())
+            .map(this::stop)
+            .toList();
+    if (stops.size() > max) {
+      errors.add(STOPS, texts.get("error.stops.many", max));
+      return List.of();
+    }
+    return stops;
+  }
+
+  private StopOrder stop(String given) {
+    int colon = given.lastIndexOf(':');
+    return colon < 0
+        ? new StopOrder(where(given), false, null)
+        : stop(STOPS, where(given.substring(0, colon).strip()), given.substring(colon + 1).strip());
+  }
+
+  private Where where(String given) {
+    List<Optional<Double>> numbers = Stream.of(given.split("\\s+")).map(this::decimal).toList();
+    return numbers.size() == 2 && numbers.stream().allMatch(Optional::isPresent)
+        ? new Where.Point(
+            new Vec2(
+                rules().coordinate(STOPS, numbers.getFirst().orElseThrow()),
+                rules().coordinate(STOPS, numbers.getLast().orElseThrow())))
+        : new Where.Station(given);
+  }
+
+  @Override
+  public StopOrder stopAt(String name, Where where) {
+    String column = name + "Wait";
+    return stop(column, where, text(column));
+  }
+
+  /**
+   * @param wait {@code person}, a number of seconds, or nothing
+   */
+  private StopOrder stop(String column, Where where, @Nullable String wait) {
+    boolean awaitsPerson = "person".equalsIgnoreCase(wait);
+    return wait == null || awaitsPerson
+        ? new StopOrder(where, awaitsPerson, null)
+        : new StopOrder(where, false, rules().stopWait(column, decimal(wait).orElse(Double.NaN)));
   }
 
   /** The sides have columns of their own. */

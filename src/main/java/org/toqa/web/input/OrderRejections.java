@@ -52,6 +52,20 @@ public final class OrderRejections {
     if (!isForm) {
       return "stops." + stop;
     }
-    return stop == 0 ? "start" : stop == 1 ? "goal" : "stop";
+    return entered(stop, "stop");
+  }
+
+  /**
+   * The field in which a person says a stop, whose first two are start and goal.
+   *
+   * @param stop from 0
+   * @param further the field of all others
+   */
+  static String entered(int stop, String further) {
+    return switch (stop) {
+      case 0 -> "start";
+      case 1 -> "goal";
+      default -> further;
+    };
   }
 }

@@ -13,6 +13,7 @@ import org.toqa.fleet.BatchAnswer;
 import org.toqa.fleet.PartsOrder;
 import org.toqa.fleet.TaskOrder;
 import org.toqa.fleet.TaskView;
+import org.toqa.mission.OrderPart;
 import org.toqa.web.FleetAnswers;
 import org.toqa.web.IdempotentSubmitter;
 import org.toqa.web.Services;
@@ -81,13 +82,32 @@ public final class TaskImport {
     Set<List<Object>> told = new HashSet<>(); // of all pieces of a row the same
     for (BatchAnswer.Rejection refusal : refusals) {
       TaskOrderTable.Row row = rows.get(refusal.index());
-      if (row.isReadable(refusal.field()) && told.add(List.of(row, refusal.sentence()))) {
-        table
-            .faults()
-            .add(new LineFault(row.line(), refusal.field(), texts.text(refusal.sentence())));
+      String column =
+          column(row, refusal.index() - rows.indexOf(row), refusal.field()); // its parts follow it
+      if (row.isReadable(column) && told.add(List.of(row, refusal.sentence()))) {
+        table.faults().add(new LineFault(row.line(), column, texts.text(refusal.sentence())));
       }
     }
     return new Outcome.Faulty(table.faults());
+  }
+
+  /**
+   * Where a stop that was refused stands in the row.
+   *
+   * @param part of the row's order, from 0
+   */
+  private static @Nullable String column(TaskOrderTable.Row row, int part, @Nullable String field) {
+    if (field == null) {
+      return null;
+    }
+    if (field.startsWith("stops.")) {
+      int stop = Integer.parseInt(field.substring("stops.".length()));
+      return OrderRejections.entered(stop, "stops");
+    }
+    boolean isLeg = row.order().kind() == OrderPart.Kind.STOPS;
+    return isLeg && (field.equals("start") || field.equals("goal"))
+        ? OrderRejections.entered(part + (field.equals("goal") ? 1 : 0), "stops")
+        : field;
   }
 
   /** The time zone of that name, if there is one; UTC where none is named. */

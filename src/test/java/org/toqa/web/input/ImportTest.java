@@ -135,6 +135,60 @@ class ImportTest {
   }
 
   @Test
+  void aLineMayHaveFurtherStopsAndWaits() {
+    HttpResponse<String> answer =
+        post(
+            "api/v1/tasks/import",
+            """
+            name,load,start,goal,goalWait,stops,carriedBy
+            tour,1,Dock A,Shelf 3,Person,2 1: 120 | Dock A,
+            way,1,Dock A,Shelf 3,,Dock A,one
+            legs,1,Dock A,Shelf 3,,Dock A,
+            """);
+
+    assertEquals(201, answer.statusCode(), answer.body());
+    JsonNode tasks = JSON.readTree(answer.body());
+    assertEquals(4, added());
+    JsonNode stops = tasks.get(0).get("stops");
+    assertEquals(4, stops.size());
+    assertTrue(stops.get(1).get("waitForPerson").booleanValue());
+    assertEquals(2, stops.get(2).get("x").asDouble());
+    assertEquals(120, stops.get(2).get("waitSeconds").asInt());
+    assertEquals("Dock A", stops.get(3).get("station").stringValue());
+    assertTrue(tasks.get(0).get("order").isNull());
+    assertEquals(3, tasks.get(1).get("stops").size());
+    assertEquals(2, tasks.get(2).get("order").get("parts").asInt());
+  }
+
+  @Test
+  void aStopThatIsWrongIsNamedByItsColumn() {
+    HttpResponse<String> answer =
+        post(
+            "api/v1/tasks/import",
+            """
+            name,load,start,goal,startWait,goalWait,stops
+            a,1,Dock A,Shelf 3,soon,0,Dock A: 1.5
+            b,1,Dock A,Shelf 3,,,Nowhere: person
+            c,1,Dock A,Nowhere,,,Dock A
+            d,1,Dock A,Shelf 3,,,Nowhere
+            """);
+
+    assertEquals(422, answer.statusCode(), answer.body());
+    assertEquals(0, added());
+    assertTrue(
+        JSON.readTree(answer.body()).get("errors").values().stream()
+            .map(e -> e.get("line") + " " + e.get("field").stringValue())
+            .toList()
+            .containsAll(List.of("2 startWait", "2 goalWait", "2 stops", "3 stops", "4 goal")),
+        answer.body());
+    answer =
+        post(
+            "api/v1/tasks/import",
+            "name,load,start,goal,stops\nd,1,Dock A,Shelf 3,Dock A|Nowhere\n");
+    assertTrue(answer.body().contains("Line 2, stops"), answer.body());
+  }
+
+  @Test
   void everyBadLineIsNamedAndNothingIsImported() {
     String table =
         HEADER
