@@ -28,8 +28,6 @@ class FleetExpectedTimesTest extends HallFleetTest {
     assertTrue(Objects.requireNonNull(delivery(view, first)).isBefore(last));
     assertTrue(Objects.requireNonNull(times(view, second).pickUp()).isBefore(last));
 
-    until(now -> task(now, first).state() == TaskState.CARRYING && delivery(now, first) != null);
-    until(now -> times(now, first).pickUp() == null);
     until(now -> task(now, second).state() == TaskState.RETURNING);
     assertNull(task(stage.fleet.snapshots().latest(), second).expected());
     assertEquals(List.of(true, true), keptOf(first));

@@ -2,6 +2,7 @@ package org.toqa.fleet.dispatch;
 
 import java.time.Duration;
 import java.time.Instant;
+import java.time.temporal.ChronoUnit;
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.HashSet;
@@ -230,7 +231,8 @@ final class TaskForecaster {
   /** By the clock by which people live. */
   private @Nullable Instant instant(OptionalDouble seconds, Instant from) {
     return seconds.isPresent()
-        ? from.plusMillis(Math.round(1000 * seconds.getAsDouble() / rules.pace()))
+        ? from.truncatedTo(ChronoUnit.MILLIS)
+            .plusMillis(Math.round(1000 * seconds.getAsDouble() / rules.pace()))
         : null;
   }
 

@@ -114,7 +114,7 @@ class ApiTasksTest extends ApiTestServer {
             task ->
                 task.withExpected(
                     new ExpectedTimes(null, null, Phrase.EXPECTED_AFTER_HOLD.with())));
-    JsonNode held = JSON.readTree(get("api/v1/tasks").body()).at("/tasks/0/expected");
+    JsonNode held = JSON.readTree(get("api/v1/tasks").body()).at("/0/expected");
     assertTrue(held.get("delivery").isNull());
     assertEquals("This depends on when it is resumed.", held.get("unknown").stringValue());
   }
