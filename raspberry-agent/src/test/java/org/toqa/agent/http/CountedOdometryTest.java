@@ -41,7 +41,7 @@ class CountedOdometryTest {
   void drivenAtFullSpeedItIsBelieved() {
     for (int answer = 1; answer <= 100; answer++) {
       double driven = MAX_SPEED * 0.03 * answer;
-      long asked = ms(30 * answer);
+      long asked = ms(30L * answer);
       assertEquals(
           Outcome.CONTINUED, odometry.update(report(driven), asked, asked + ms(2)), "" + answer);
     }
