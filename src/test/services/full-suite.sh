@@ -28,7 +28,7 @@ Runs the full test suite, and says at its end how much it did of each kind.
   --seed N  begins from this seed: the same seed tries the same
 
 Nothing is left out: what this machine lacks is named, all at once. On Debian and Ubuntu it brings
-what it needs: Chromium, socat, iproute2, nftables, faketime and the compilers of the firmware (installed when
+what it needs: Chromium, socat, iproute2, nftables, dnsmasq, udhcpc, faketime and the compilers of the firmware (installed when
 you are root), a private MySQL server with its client, Mosquitto and the fuzzer Schemathesis (unpacked
 into ~/.cache/toqa, not installed). Network cables are pulled by root alone.
 TOQA_TEST_MYSQL_URL=jdbc:mysql://... uses a server of yours where it is only talked to; its user
@@ -181,6 +181,8 @@ require cppcheck cppcheck
 require socat socat
 require ip iproute2
 require nft nftables
+require dnsmasq dnsmasq-base
+require udhcpc udhcpc
 require faketime faketime
 require setsid util-linux
 require systemd-analyze systemd

@@ -199,6 +199,7 @@ public enum Phrase {
   ROBOT_IN_THE_WAY,
   NOT_IN_THIS_DIRECTION,
   NOTHING_HEARD_OF_DRIVER,
+  SERVER_ENDED_MEANWHILE,
 
   // Charging
   NO_WAY_TO_CHARGER,
@@ -563,6 +564,12 @@ public enum Phrase {
   WEBHOOK_CHANGED,
   WEBHOOK_DELETED,
   WEBHOOK_SECRET_RENEWED,
+  // What happened to a device of the network
+  DEVICE_ADDED,
+  DEVICE_CHANGED,
+  DEVICE_REMOVED,
+  CAMERA_ADDED,
+  CAMERA_REMOVED,
 
   // What happened to a site
   SITE_ADDED,

@@ -63,6 +63,21 @@ public final class RobotNetwork implements AutoCloseable {
     return SUBNET + (robot + 2);
   }
 
+  /** The interface by which this machine is on the switch. */
+  public String link() {
+    return SWITCH;
+  }
+
+  /** All addresses of the switch, such as {@code 10.231.7.0/24}. */
+  public String subnet() {
+    return SUBNET + "0/24";
+  }
+
+  /** From now on it has none, and must ask for one. */
+  public void removeAddress(int robot) throws IOException, InterruptedException {
+    ip("-n %s address flush dev eth0".formatted(namespace(robot)));
+  }
+
   /** The command, to be run as that robot. */
   public String[] as(int robot, List<String> command) {
     List<String> all = new ArrayList<>(List.of("ip", "netns", "exec", namespace(robot)));
