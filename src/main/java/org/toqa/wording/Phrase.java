@@ -564,6 +564,7 @@ public enum Phrase {
   WEBHOOK_CHANGED,
   WEBHOOK_DELETED,
   WEBHOOK_SECRET_RENEWED,
+
   // What happened to a device of the network
   DEVICE_ADDED,
   DEVICE_CHANGED,
