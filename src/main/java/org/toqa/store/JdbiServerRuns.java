@@ -31,10 +31,39 @@ public final class JdbiServerRuns {
           if (wasKilled) {
             add(h, at, EventKind.FLEET_SERVER_ENDED, Phrase.SERVER_HAD_ENDED);
           }
+          endManualDrives(h, at);
           add(h, at, EventKind.FLEET_SERVER_STARTED, Phrase.SERVER_STARTED);
           h.execute("delete from server_runs");
           return h.execute("insert into server_runs (id, began_at) values (1, ?)", at);
         });
+  }
+
+  /** Nobody drives by hand what was driven when the server ended: no lease outlives it. */
+  private static void endManualDrives(Handle h, Instant at) {
+    List<EventRecord> ends =
+        h.createQuery(
+                """
+                select b.robot, b.who from events b
+                where b.kind = :began and b.id = (
+                  select max(l.id) from events l
+                  where l.robot = b.robot and l.kind in (:began, :ended))
+                order by b.robot
+                """)
+            .bind("began", EventKind.ROBOT_MANUAL_BEGAN.text())
+            .bind("ended", EventKind.ROBOT_MANUAL_ENDED.text())
+            .map((row, _) -> endOfManualDrive(at, row.getString("robot"), row.getString("who")))
+            .list();
+    EventTable.addAll(h, ends);
+  }
+
+  private static EventRecord endOfManualDrive(Instant at, String robot, String who) {
+    return new EventRecord(
+        at,
+        EventKind.ROBOT_MANUAL_ENDED,
+        null,
+        robot,
+        EventRecord.SYSTEM,
+        Phrase.MANUAL_DRIVE_BROKEN_OFF.with(who, robot, Phrase.SERVER_ENDED_MEANWHILE.with()));
   }
 
   /** The server is being stopped. */

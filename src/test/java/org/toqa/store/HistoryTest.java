@@ -21,6 +21,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.NullAndEmptySource;
 import org.junit.jupiter.params.provider.ValueSource;
+import org.toqa.fleet.EventKind;
 import org.toqa.fleet.EventRecord;
 import org.toqa.fleet.FleetStore.Submission;
 import org.toqa.fleet.RobotRecord;
@@ -64,6 +65,44 @@ class HistoryTest extends DatabaseTest {
     tracks = new JdbiTrackStore(database.jdbi());
     scenes = new JdbiSceneStore(database.jdbi());
     pruning = new HistoryPruner(database.jdbi());
+  }
+
+  @Test
+  void drivingByHandEndsInTheHistoryWhenTheServerIsUpAgainAfterACrash() {
+    for (String robot : List.of("r1", "r2")) {
+      store.addEvents(
+          List.of(
+              new EventRecord(
+                  AT,
+                  EventKind.ROBOT_MANUAL_BEGAN,
+                  null,
+                  robot,
+                  "Max",
+                  Phrase.MANUAL_DRIVE_BEGAN.with("Max", robot))));
+    }
+    store.addEvents(
+        List.of(
+            new EventRecord(
+                AT.plusSeconds(1),
+                EventKind.ROBOT_MANUAL_ENDED,
+                null,
+                "r1",
+                "Max",
+                Phrase.MANUAL_DRIVE_ENDED.with("Max", "r1"))));
+
+    for (int start = 0; start < 2; start++) { // the second one finds nothing to end
+      new JdbiServerRuns(database.jdbi()).begin(AT.plusSeconds(60));
+    }
+
+    assertEquals(
+        List.of(
+            "Max no longer drives r2 by hand: the server ended meanwhile",
+            "Max stopped driving r1 by hand"),
+        history.events(ALL, Long.MAX_VALUE, 100).stream()
+            .map(Entry::event)
+            .filter(event -> event.kind().equals(EventKind.ROBOT_MANUAL_ENDED.text()))
+            .map(EventRecord::text)
+            .toList());
   }
 
   @Test
