@@ -57,6 +57,12 @@
           <p id="hand-says" class="notice warn" role="status" hidden></p>
         </article>
       </c:if>
+      <c:if test="${not empty cameras}">
+        <article>
+          <h2><fmt:message key="cameras.title"/></h2>
+          <c:forEach items="${cameras}" var="camera"><t:camera camera="${camera}"/></c:forEach>
+        </article>
+      </c:if>
       <article>
         <h2><fmt:message key="control.speeds"/></h2>
         <div class="gauges">
@@ -88,5 +94,5 @@
       </c:forTokens>
     </div>
   </div>
-  <t:texts keys="control.disconnected map.loggedOut map.failed control.wheel.left control.wheel.right control.speed.v control.speed.w control.unit.speed control.unit.turn control.unit.mm control.unit.degrees control.unit.metres control.speeds.wheels control.speeds.body control.sensor control.ranges.age control.hand.busy control.hand.mine control.hand.noAnswer control.hand.ended control.failed"/>
+  <t:texts keys="control.disconnected map.loggedOut map.failed control.wheel.left control.wheel.right control.speed.v control.speed.w control.unit.speed control.unit.turn control.unit.mm control.unit.degrees control.unit.metres control.speeds.wheels control.speeds.body control.sensor control.ranges.age control.hand.busy control.hand.mine control.hand.noAnswer control.hand.ended control.failed camera.failed"/>
 </t:page>

@@ -80,7 +80,7 @@
   </div>
   <t:pages path="/robots" kept="text,state,floor"/>
   <c:if test="${caller.mayManage()}">
-    <article class="card">
+    <article class="card" id="add">
       <h2><fmt:message key="robots.add"/>${" "}<t:help topic="robot"/></h2>
       <c:if test="${isSent}"><t:errors/></c:if>
       <form method="post" action="${root}/robots" novalidate>

@@ -9,6 +9,7 @@ import org.toqa.accounts.FirstStartCode;
 import org.toqa.accounts.PasswordHasher;
 import org.toqa.accounts.SessionStore;
 import org.toqa.accounts.Site;
+import org.toqa.camera.Cameras;
 import org.toqa.fleet.Fleet;
 import org.toqa.fleet.OrderArchive;
 import org.toqa.fleet.ScheduleStore;
@@ -20,6 +21,7 @@ import org.toqa.fleet.history.SeenPlaces;
 import org.toqa.fleet.history.StatisticsArchive;
 import org.toqa.fleet.history.TrackStore;
 import org.toqa.lab.record.Laboratory;
+import org.toqa.network.Network;
 import org.toqa.notices.Notices;
 import org.toqa.telemetry.Telemetry;
 
@@ -43,6 +45,8 @@ public record Services(
     SeenPlaces seenPlaces,
     @Nullable Telemetry telemetry,
     Laboratory laboratory,
+    Network network,
+    Cameras cameras,
     Notices notices,
     AccountStore accounts,
     SessionStore sessions,

@@ -1,3 +1,4 @@
+import {showCameras} from '../shared/cameras.js';
 import {setText} from '../shared/elements.js';
 import {subscribe} from '../shared/event-stream.js';
 import {updateLiveRegions} from '../shared/live-regions.js';
@@ -97,3 +98,4 @@ class ControlPage {
 }
 
 new ControlPage().start();
+showCameras();

@@ -3,6 +3,7 @@ import {Floor} from '../floor/floor.js';
 import {listenForZoomButtons} from '../floor/zoom-buttons.js';
 import {updateReplayLists} from '../replay/replay-lists.js';
 import {Replay} from '../replay/replay.js';
+import {showCameras, showCamerasOf} from '../shared/cameras.js';
 import {subscribe} from '../shared/event-stream.js';
 import {updateLiveRegions} from '../shared/live-regions.js';
 import {updateAttentionList} from './attention-list.js';
@@ -240,6 +241,7 @@ class MapPage {
       this.#floor = await Floor.load(name);
       this.#shownAt = undefined;
       this.#actions.show(this.#floor.name);
+      showCamerasOf(this.#floor.name, $('#cameras'));
       this.#measuring.close();
       this.#canvas.viewport.setBounds(this.#floor.bounds);
       this.#canvas.requestFrame();
@@ -253,4 +255,5 @@ class MapPage {
   }
 }
 
+showCameras();
 await new MapPage().start();

@@ -6,6 +6,9 @@ const REFRESH_INTERVAL = 1_000;
 /** The same for what robots publish by MQTT. */
 const READINGS_INTERVAL = 5_000;
 
+/** The same for devices of the network. */
+const NETWORK_INTERVAL = 5_000;
+
 /** What each kind of region shows of a snapshot: when that changes, the region is fetched anew. */
 const SUBJECTS = {
   tasks: ({tasks, queued}) => [queued, ...tasks.map((task) => [task.id, task.state, task.robots, task.held])],
@@ -43,6 +46,7 @@ const SUBJECTS = {
     ...tasks.map(({id, state, loadAt, robots}) => [id, state, loadAt, robots]),
     ...floors.map(({leftLoads}) => leftLoads),
   ],
+  network: () => Math.floor(Date.now() / NETWORK_INTERVAL),
   pause: ({pause}) => pause,
   floors: ({floors}) => floors.map(({floor, hold}) => [floor, hold]),
   service: ({robots, floors}, name) => [

@@ -171,6 +171,7 @@ final class RoadWorld {
         usual.plainLinks(),
         usual.gateways(),
         usual.broker(),
+        usual.dhcp(),
         usual.logLevel(),
         usual.logFormat(),
         usual.settings());

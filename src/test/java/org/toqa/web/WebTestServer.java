@@ -37,15 +37,21 @@ import org.toqa.accounts.Role;
 import org.toqa.accounts.SessionStore;
 import org.toqa.accounts.Site;
 import org.toqa.app.lab.ExperimentProcess;
+import org.toqa.camera.Cameras;
 import org.toqa.fleet.EventRecord;
 import org.toqa.fleet.SnapshotFeed;
 import org.toqa.fleet.history.SeenPlaces;
 import org.toqa.lab.record.Laboratory;
+import org.toqa.network.DhcpSettings;
+import org.toqa.network.Network;
+import org.toqa.network.Subnet;
 import org.toqa.notices.Notices;
 import org.toqa.notices.WebhookAddresses;
 import org.toqa.notices.WebhookPoster;
 import org.toqa.store.Database;
 import org.toqa.store.JdbiAccountStore;
+import org.toqa.store.JdbiCameraStore;
+import org.toqa.store.JdbiDeviceStore;
 import org.toqa.store.JdbiEventArchive;
 import org.toqa.store.JdbiFleetStore;
 import org.toqa.store.JdbiLabRunStore;
@@ -87,6 +93,8 @@ public final class WebTestServer implements AutoCloseable {
           "events",
           "drives",
           "lab_runs",
+          "network_devices",
+          "cameras",
           "schedules",
           "tasks",
           "robots");
@@ -119,6 +127,8 @@ public final class WebTestServer implements AutoCloseable {
   private final JdbiSceneStore scenes;
   private final JdbiUtilisationStore uses;
   private final Laboratory laboratory;
+  private final Network network;
+  private final Cameras cameras;
   private final Database database;
   private final Tomcat tomcat = new Tomcat();
   private final Path baseDir;
@@ -254,6 +264,14 @@ public final class WebTestServer implements AutoCloseable {
             new ExperimentProcess(),
             new Semaphore(1),
             InstantSource.system());
+    baseDir = Files.createTempDirectory("toqa-web-test");
+    network =
+        new Network(
+            new JdbiDeviceStore(jdbi, InstantSource.system()),
+            new DhcpSettings(
+                Subnet.parse("10.0.7.0/24").orElseThrow(), reservations(), leases(), null),
+            InstantSource.system());
+    cameras = new Cameras(new JdbiCameraStore(jdbi, InstantSource.system()));
     WebhookAddresses webhookAddresses =
         new WebhookAddresses(List.of(WebhookAddresses.Network.parse("127.0.0.1").orElseThrow()));
     notices =
@@ -278,6 +296,8 @@ public final class WebTestServer implements AutoCloseable {
             seenPlaces,
             telemetry,
             laboratory,
+            network,
+            cameras,
             notices,
             accounts,
             sessions,
@@ -292,8 +312,17 @@ public final class WebTestServer implements AutoCloseable {
             new AllowedHosts(Set.of("toqa.example.org")),
             firstStartCode);
     store = new JdbiFleetStore(jdbi);
-    baseDir = Files.createTempDirectory("toqa-web-test");
     startTomcat(port, services);
+  }
+
+  /** What a DHCP server would read. */
+  public Path reservations() {
+    return baseDir.resolve("reservations");
+  }
+
+  /** What a DHCP server would write. */
+  public Path leases() {
+    return baseDir.resolve("leases");
   }
 
   /** What robots saw; the fleet of this server sees nothing by itself. */
@@ -402,6 +431,8 @@ public final class WebTestServer implements AutoCloseable {
     tomcat.stop();
     tomcat.destroy();
     laboratory.close();
+    network.close();
+    cameras.close();
     database.close();
     delete(baseDir);
   }

@@ -10,6 +10,7 @@ import org.jspecify.annotations.Nullable;
 import org.toqa.allocation.Policy;
 import org.toqa.fleet.ChargingRules;
 import org.toqa.grid.Margins;
+import org.toqa.network.DhcpSettings;
 import org.toqa.notices.WebhookAddresses;
 import org.toqa.telemetry.mqtt.BrokerSettings;
 
@@ -46,6 +47,7 @@ import org.toqa.telemetry.mqtt.BrokerSettings;
  * @param plainLinks whether links to robots on other machines may be unencrypted
  * @param gateways where gateways are listened for; null: nowhere
  * @param broker of MQTT; null: none is used
+ * @param dhcp the DHCP server that is configured and read; null: none
  * @param settings all of them as they were given, without what is secret
  */
 public record Configuration(
@@ -78,6 +80,7 @@ public record Configuration(
     boolean plainLinks,
     @Nullable GatewaySettings gateways,
     @Nullable BrokerSettings broker,
+    @Nullable DhcpSettings dhcp,
     Level logLevel,
     LogFormat logFormat,
     List<ConfiguredSetting> settings) {
@@ -118,6 +121,7 @@ public record Configuration(
         mailServer,
         webhooks,
         plainLinks,
+        null,
         null,
         null,
         logLevel,

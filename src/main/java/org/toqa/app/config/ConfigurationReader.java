@@ -33,6 +33,8 @@ import org.toqa.app.config.ValueRange.WholeNumber;
 import org.toqa.app.config.ValueRange.WholeNumbers;
 import org.toqa.fleet.ChargingRules;
 import org.toqa.grid.Margins;
+import org.toqa.network.DhcpSettings;
+import org.toqa.network.Subnet;
 import org.toqa.notices.WebhookAddresses;
 import org.toqa.store.Database;
 import org.toqa.telemetry.mqtt.BrokerSettings;
@@ -92,6 +94,7 @@ record ConfigurationReader(List<SettingSource> layers) {
         flag(Setting.PLAIN_LINKS),
         gateways(),
         broker(),
+        dhcp(),
         logLevel(),
         logFormat(),
         settings());
@@ -206,6 +209,26 @@ record ConfigurationReader(List<SettingSource> layers) {
         address,
         port,
         new BrokerSettings.PemFiles(pem(Setting.MQTT_CERTIFICATE), pem(Setting.MQTT_KEY)));
+  }
+
+  private @Nullable DhcpSettings dhcp() throws ConfigurationException {
+    if (choice(Setting.DHCP_SERVER).equals("none")) {
+      return null;
+    }
+    Subnet subnet =
+        Subnet.parse(text(Setting.DHCP_SUBNET).strip())
+            .orElseThrow(() -> outOfRange(Setting.DHCP_SUBNET));
+    Path hosts = path(Setting.DHCP_HOSTS);
+    Path folder = hosts.getParent();
+    if (folder == null || !Files.isWritable(folder) || Files.isDirectory(hosts)) {
+      throw invalid(
+          Setting.DHCP_HOSTS, "it must be a file in a folder that this server may write to.");
+    }
+    return new DhcpSettings(
+        subnet,
+        hosts,
+        path(Setting.DHCP_LEASES),
+        text(Setting.DHCP_PID).isEmpty() ? null : path(Setting.DHCP_PID));
   }
 
   private BrokerSettings externalBroker(boolean plain) throws ConfigurationException {

@@ -85,6 +85,11 @@ public enum Setting {
   MQTT_CA("mqtt.ca", "", "a PEM file with the certificates that vouch for the broker"),
   MQTT_USER("mqtt.user", "", "a user of the broker"),
   MQTT_PASSWORD("mqtt.password", "", "that user's password"),
+  DHCP_SERVER("dhcp.server", "none", new Choice("none", "dnsmasq")),
+  DHCP_SUBNET("dhcp.subnet", "", "the subnet that the DHCP server serves, such as 10.0.7.0/24"),
+  DHCP_HOSTS("dhcp.hosts", "", "the file that dnsmasq reads as dhcp-hostsfile"),
+  DHCP_LEASES("dhcp.leases", "/var/lib/misc/dnsmasq.leases", "the dhcp-leasefile of dnsmasq"),
+  DHCP_PID("dhcp.pid", "", "the pid-file of dnsmasq"),
   LOG_LEVEL("logLevel", "INFO", new Choice("ERROR", "WARN", "INFO", "DEBUG", "TRACE")),
   LOG_FORMAT("logFormat", "text", new Choice("text", "json"));
 

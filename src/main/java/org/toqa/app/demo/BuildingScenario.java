@@ -1,8 +1,10 @@
 package org.toqa.app.demo;
 
+import java.awt.image.BufferedImage;
 import java.io.File;
 import java.io.IOException;
 import java.io.UncheckedIOException;
+import java.net.URI;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
@@ -14,13 +16,16 @@ import java.util.concurrent.CompletionStage;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Predicate;
+import java.util.function.Supplier;
 import org.toqa.agent.chassis.Surroundings;
 import org.toqa.app.robot.SimulatedHttpRobot;
 import org.toqa.app.server.FleetServer;
 import org.toqa.app.server.WebappFolder;
+import org.toqa.camera.CameraOrder;
 import org.toqa.fleet.Answer;
 import org.toqa.fleet.Fleet;
 import org.toqa.fleet.FleetSnapshot;
+import org.toqa.fleet.LoadView;
 import org.toqa.fleet.RobotOrder;
 import org.toqa.fleet.RobotState;
 import org.toqa.fleet.RobotView;
@@ -30,6 +35,8 @@ import org.toqa.geometry.Vec2;
 import org.toqa.grid.FloorMap;
 import org.toqa.grid.Place;
 import org.toqa.link.http.RobotToken;
+import org.toqa.sim.SimulatedCamera;
+import org.toqa.sim.SimulatedCamera.Standing;
 import org.toqa.sim.SimulatedFloor;
 import org.toqa.telemetry.Telemetry;
 import org.toqa.telemetry.mqtt.ReadingPublisher;
@@ -58,10 +65,30 @@ final class BuildingScenario implements AutoCloseable {
   private static final double WALKER_RADIUS = 0.15;
   private static final long WALK_PERIOD_MILLIS = 100;
 
+  /** Where the camera of the first floor is, which looks at whoever walks there. */
+  private static final Vec2 WATCH = new Vec2(5.05, 6.45);
+
+  /** As cameras show them: metres, and red, green and blue. */
+  private static final double ROBOT_HEIGHT = 0.2;
+
+  private static final double WALKER_HEIGHT = 0.7;
+  private static final double LOAD_HEIGHT = 0.15;
+  private static final double LOAD_RADIUS = 0.1;
+  private static final int ROBOT_COLOUR = 0x2F6FDE;
+  private static final int WALKER_COLOUR = 0xD9534F;
+  private static final int LOAD_COLOUR = 0xC98A2B;
+
   private final List<AutoCloseable> parts = new ArrayList<>();
   private final CountDownLatch closing = new CountDownLatch(1);
 
-  private BuildingScenario() {}
+  private final DemoCameras cameras = new DemoCameras();
+
+  /** Where somebody is who walks on the first floor. */
+  private volatile Vec2 walker = WALK_START;
+
+  private BuildingScenario() throws IOException {
+    parts.add(cameras);
+  }
 
   /**
    * The maps of the floors, whose robots drive smooth curves, as the configuration names them.
@@ -147,9 +174,54 @@ final class BuildingScenario implements AutoCloseable {
             robot::truePose,
             FOOTPRINT / 2,
             surroundings));
+    addCamera(
+        toqa,
+        new CameraOrder(name + "-front", URI.create("http://camera"), name, null),
+        user,
+        () -> view(toqa.fleet(), floor, robot.truePose(), name));
     if (floor.name().equals(FLOORS.getFirst())) {
+      Pose post = new Pose(WATCH.x(), WATCH.y(), WALK_START.minus(WATCH).angle());
+      addCamera(
+          toqa,
+          new CameraOrder(floor.name() + "-wall", URI.create("http://camera"), null, floor.name()),
+          user,
+          () -> view(toqa.fleet(), floor, post, ""));
       Thread.ofVirtual().name("walker").start(() -> walk(world));
     }
+  }
+
+  /**
+   * @param order but for where it answers
+   */
+  private void addCamera(
+      FleetServer toqa, CameraOrder order, String user, Supplier<BufferedImage> view) {
+    URI url = cameras.add(order.name(), view);
+    toqa.cameras().add(new CameraOrder(order.name(), url, order.robot(), order.floor()), user);
+  }
+
+  /**
+   * What a camera sees: walls, robots, who walks there, and loads that wait or were set down.
+   *
+   * @param robot that the camera is on
+   */
+  private BufferedImage view(Fleet fleet, FloorMap floor, Pose camera, String robot) {
+    FleetSnapshot snapshot = fleet.snapshots().latest();
+    List<Standing> standing = new ArrayList<>();
+    for (RobotView other : snapshot.robots()) {
+      Pose pose = other.telemetry().pose();
+      if (pose != null && other.floor().equals(floor.name()) && !other.name().equals(robot)) {
+        standing.add(new Standing(pose.position(), FOOTPRINT / 2, ROBOT_HEIGHT, ROBOT_COLOUR));
+      }
+    }
+    for (LoadView load : LoadView.of(snapshot)) {
+      if (load.place() != null && load.floor().equals(floor.name())) {
+        standing.add(new Standing(load.place().position(), LOAD_RADIUS, LOAD_HEIGHT, LOAD_COLOUR));
+      }
+    }
+    if (floor.name().equals(FLOORS.getFirst())) {
+      standing.add(new Standing(walker, WALKER_RADIUS, WALKER_HEIGHT, WALKER_COLOUR));
+    }
+    return SimulatedCamera.draw(floor.drawing().walls(), camera, standing);
   }
 
   /** To and fro, until the demo ends. */
@@ -162,6 +234,7 @@ final class BuildingScenario implements AutoCloseable {
         double share = Math.min(metres, 2 * there - metres) / there;
         Vec2 at = WALK_START.plus(WALK_END.minus(WALK_START).times(share));
         world.putObstacle("walker", at, WALKER_RADIUS);
+        walker = at;
       }
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();

@@ -23,6 +23,7 @@ import org.toqa.accounts.Site;
 import org.toqa.accounts.SiteStore;
 import org.toqa.app.config.Configuration;
 import org.toqa.app.lab.ExperimentProcess;
+import org.toqa.camera.Cameras;
 import org.toqa.fleet.Fleet;
 import org.toqa.fleet.FleetRules;
 import org.toqa.fleet.PeriodicWork;
@@ -38,6 +39,7 @@ import org.toqa.geometry.Pose;
 import org.toqa.grid.FloorMap;
 import org.toqa.lab.record.Laboratory;
 import org.toqa.link.trust.PrivateFolder;
+import org.toqa.network.Network;
 import org.toqa.notices.NoticeRecorder;
 import org.toqa.notices.NoticeStore;
 import org.toqa.notices.Notices;
@@ -51,6 +53,8 @@ import org.toqa.store.Database;
 import org.toqa.store.DatabaseSize;
 import org.toqa.store.HistoryPruner;
 import org.toqa.store.JdbiAccountStore;
+import org.toqa.store.JdbiCameraStore;
+import org.toqa.store.JdbiDeviceStore;
 import org.toqa.store.JdbiEventArchive;
 import org.toqa.store.JdbiFleetStore;
 import org.toqa.store.JdbiFloorStore;
@@ -266,6 +270,13 @@ public final class FleetServer implements AutoCloseable {
             shared.laboratory(),
             wallClock);
     parts.push(laboratory);
+    Network network =
+        new Network(
+            new JdbiDeviceStore(database.jdbi(), wallClock), configuration.dhcp(), wallClock);
+    parts.push(network);
+    network.start();
+    Cameras cameras = new Cameras(new JdbiCameraStore(database.jdbi(), wallClock));
+    parts.push(cameras);
     Notices notices = startNotices(site, configuration, database, fleet, mail, wallClock, parts);
     Services services =
         new Services(
@@ -282,6 +293,8 @@ public final class FleetServer implements AutoCloseable {
             seenPlaces,
             telemetry,
             laboratory,
+            network,
+            cameras,
             notices,
             accounts,
             sessions,
@@ -481,6 +494,10 @@ public final class FleetServer implements AutoCloseable {
   /** Null: MQTT is not configured. */
   public @Nullable Telemetry telemetry() {
     return services.telemetry();
+  }
+
+  public Cameras cameras() {
+    return services.cameras();
   }
 
   Services services() {

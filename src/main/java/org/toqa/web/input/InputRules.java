@@ -256,6 +256,15 @@ public final class InputRules {
     return name;
   }
 
+  /** Of a device of the network; what robots may be called. */
+  public String deviceName(String field, @Nullable String given) {
+    String name = given == null ? "" : given.strip();
+    if (!ROBOT_NAME.matcher(name).matches()) {
+      refuse(field, "error.deviceName");
+    }
+    return name;
+  }
+
   /** How long robots wait at a stop, seconds; null where nothing is given. */
   public @Nullable Duration stopWait(String field, @Nullable Double seconds) {
     if (seconds == null) {

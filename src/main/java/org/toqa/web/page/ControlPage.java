@@ -23,6 +23,7 @@ public final class ControlPage extends PageHandler {
       return;
     }
     request.setAttribute("robot", robot.get());
+    request.setAttribute("cameras", services(request).cameras().ofRobot(name));
     request.setAttribute("hasReadings", services(request).telemetry() != null);
     request.setAttribute("manualSpeed", ManualOrder.MAX_SPEED);
     request.setAttribute("manualTurnRate", ManualOrder.MAX_TURN_RATE);

@@ -43,6 +43,8 @@ public final class HelpPage extends PageHandler {
           "http-robot",
           "gateway",
           "telemetry",
+          "network",
+          "cameras",
           "laboratory",
           "configuration",
           "operations",

@@ -12,6 +12,11 @@ public final class MapPage extends PageHandler {
       throws ServletException, IOException {
     request.setAttribute("floorViews", services(request).fleet().snapshots().latest().floors());
     request.setAttribute("allocators", services(request).fleet().snapshots().latest().allocators());
+    request.setAttribute(
+        "cameras",
+        services(request).cameras().all().stream()
+            .filter(camera -> camera.floor() != null)
+            .toList());
     request.setAttribute("robotStates", RobotState.values());
     show(request, response, "map");
   }

@@ -27,6 +27,7 @@ import org.toqa.web.Handler;
 import org.toqa.web.RequestPath;
 import org.toqa.web.access.Permission;
 import org.toqa.web.api.BatteryResource;
+import org.toqa.web.api.CamerasResource;
 import org.toqa.web.api.FleetResource;
 import org.toqa.web.api.FloorDraftResource;
 import org.toqa.web.api.FloorFilesResource;
@@ -42,6 +43,7 @@ import org.toqa.web.api.LoadsResource;
 import org.toqa.web.api.ManualDriveResource;
 import org.toqa.web.api.MapResource;
 import org.toqa.web.api.MetricsResource;
+import org.toqa.web.api.NetworkResource;
 import org.toqa.web.api.NoticesResource;
 import org.toqa.web.api.OpenApiResource;
 import org.toqa.web.api.OrderResource;
@@ -69,6 +71,7 @@ import org.toqa.web.api.UsersResource;
 import org.toqa.web.api.WebhooksResource;
 import org.toqa.web.live.EventsResource;
 import org.toqa.web.page.ApiDocumentPage;
+import org.toqa.web.page.CamerasPage;
 import org.toqa.web.page.ControlPage;
 import org.toqa.web.page.EditTaskPage;
 import org.toqa.web.page.FirstStartPage;
@@ -87,6 +90,7 @@ import org.toqa.web.page.LoadsPage;
 import org.toqa.web.page.LoginPage;
 import org.toqa.web.page.LogoutForm;
 import org.toqa.web.page.MapPage;
+import org.toqa.web.page.NetworkPage;
 import org.toqa.web.page.NewTaskPage;
 import org.toqa.web.page.NoticesPage;
 import org.toqa.web.page.OrderPage;
@@ -183,6 +187,13 @@ public final class Routes {
           post("/floors/{floor}/hold", OPERATE, FloorForms::hold).with(URGENT),
           post("/floors/{floor}/resume", OPERATE, FloorForms::resume),
           post("/floors/{floor}/allocator", MANAGE, FloorForms::allocator),
+          get("/cameras", VIEW, CamerasPage::show),
+          post("/cameras", MANAGE, CamerasPage::add),
+          post("/cameras/{id}/delete", MANAGE, CamerasPage::delete),
+          get("/network", VIEW, NetworkPage::show),
+          post("/network", MANAGE, NetworkPage::add),
+          post("/network/{id}/change", MANAGE, NetworkPage::change),
+          post("/network/{id}/delete", MANAGE, NetworkPage::delete),
           get("/notices", VIEW, NoticesPage::show),
           post("/notices/seen", VIEW, NoticesPage::see),
           get("/notices/settings", VIEW, NoticesPage::showSettings),
@@ -282,6 +293,14 @@ public final class Routes {
           post("/api/v1/robots/{name}/pair", MANAGE, RobotResource::pair),
           post("/api/v1/robots/{name}/drive", OPERATE, ManualDriveResource::drive).with(URGENT),
           delete("/api/v1/robots/{name}/drive", OPERATE, ManualDriveResource::end).with(URGENT),
+          get("/api/v1/cameras", VIEW, CamerasResource::list),
+          post("/api/v1/cameras", MANAGE, CamerasResource::add),
+          delete("/api/v1/cameras/{id}", MANAGE, CamerasResource::delete),
+          get("/api/v1/cameras/{id}/picture", VIEW, CamerasResource::picture),
+          get("/api/v1/network", VIEW, NetworkResource::get),
+          post("/api/v1/network/devices", MANAGE, NetworkResource::add),
+          put("/api/v1/network/devices/{id}", MANAGE, NetworkResource::change),
+          delete("/api/v1/network/devices/{id}", MANAGE, NetworkResource::delete),
           get("/api/v1/notices", VIEW, NoticesResource::list),
           get("/api/v1/notices/news", VIEW, NoticesResource::news),
           post("/api/v1/notices/seen", VIEW, NoticesResource::seeAll),

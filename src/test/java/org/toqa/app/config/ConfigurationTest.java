@@ -17,6 +17,8 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.toqa.allocation.Policy;
+import org.toqa.network.DhcpSettings;
+import org.toqa.network.Subnet;
 
 class ConfigurationTest {
   private static final Path SHIPPED_MAP = Path.of("/webapp/WEB-INF/maps/lab.yaml");
@@ -146,6 +148,7 @@ class ConfigurationTest {
         "MQTT_BROKER   | mqtt://:1      | embedded, or the address of a broker",
         "MQTT_BROKER   | mqtt://192.0.2.1 | use mqtts://, or set mqtt.plain to true",
         "MQTT_PORT     | 70000          | a whole number from 0 to 65535",
+        "DHCP_SERVER   | kea            | none or dnsmasq",
         "LOG_FORMAT    | xml            | text or json",
         "LOG_LEVEL     | loud           | ERROR, WARN, INFO, DEBUG, TRACE",
       })
@@ -154,6 +157,26 @@ class ConfigurationTest {
 
     assertContains(setting.commandLineOption() + " \"" + value + "\"", sentence);
     assertContains(allowed, sentence);
+  }
+
+  @Test
+  void dnsmasqNeedsItsSubnetAndAFileThatTheServerMayWrite() throws Exception {
+    assertNull(Configuration.of(SHIPPED_MAP, List.of()).dhcp());
+    Map<Setting, String> options = new EnumMap<>(Setting.class);
+    options.put(Setting.DHCP_SERVER, "dnsmasq");
+    assertContains("such as 10.0.7.0/24", complaint(SettingSource.fromCommandLine(options)));
+    options.put(Setting.DHCP_SUBNET, "10.0.7.0/24");
+    options.put(Setting.DHCP_HOSTS, folder.resolve("nowhere/hosts").toString());
+    assertContains("may write to", complaint(SettingSource.fromCommandLine(options)));
+    options.put(Setting.DHCP_HOSTS, folder.resolve("hosts").toString());
+
+    assertEquals(
+        new DhcpSettings(
+            Subnet.parse("10.0.7.0/24").orElseThrow(),
+            folder.resolve("hosts").toAbsolutePath(),
+            Path.of("/var/lib/misc/dnsmasq.leases"),
+            null),
+        Configuration.of(SHIPPED_MAP, List.of(SettingSource.fromCommandLine(options))).dhcp());
   }
 
   @ParameterizedTest

@@ -63,6 +63,8 @@ final class AttackedServer implements AutoCloseable {
           "select id, name, user_name, floor, load_kg, priority, kind, first_at, every_s, weekdays,"
               + " time_of_day, zone, until_at, paused from schedules",
           "select floor from floor_holds",
+          "select id, name, url, robot, floor from cameras",
+          "select id, name, kind, hardware_address, address from network_devices",
           "select floor, allocator from floor_allocators",
           "select id from fleet_pause");
 

@@ -46,6 +46,8 @@ final class FormAttacks {
           "/notices/webhooks/{id}/test",
           "/notices/webhooks/{id}/delete",
           "/orders/{id}/resume",
+          "/network/{id}/delete",
+          "/cameras/{id}/delete",
           "/orders/{id}/retry",
           "/fleet/resume",
           "/robots/{name}/clear",

@@ -213,6 +213,21 @@ final class FormCases {
             Map.of("url", "https://8.8.8.8/", "kinds", "charger-faulty"),
             and(refused("url", "kinds"), Map.of("enabled", TAKEN))),
         FormCase.of(
+            "cameras",
+            "/cameras",
+            Map.of("name", "Door{n}", "url", "http://127.0.0.1:9/", "robot", "", "floor", "lab"),
+            refused("name", "url", "robot", "floor")),
+        FormCase.of(
+            "network",
+            "/network",
+            Map.of("name", "Camera{n}", "kind", "camera", "hardwareAddress", "02:00:5e:10:00:0a"),
+            refused("name", "kind", "hardwareAddress", "address")),
+        FormCase.of(
+            "network?edit=1",
+            "/network/{id}/change",
+            Map.of("name", "Gate", "kind", "camera", "address", "10.0.7.20"),
+            refused("name", "kind", "hardwareAddress", "address")),
+        FormCase.of(
             "sites",
             "/sites",
             Map.of("name", "north{n}", "manager", "Nora", "password", WebTestServer.PASSWORD),

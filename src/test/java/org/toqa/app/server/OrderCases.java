@@ -168,6 +168,30 @@ final class OrderCases {
             Map.of("/url", REFUSED, "/kinds/0", REFUSED),
             200),
         post(
+            "cameras",
+            "{'name':'Gate{n}','url':'http://127.0.0.1:9/','floor':'{floor}'}",
+            Map.of("/name", REFUSED, "/url", REFUSED, "/robot", REFUSED, "/floor", REFUSED),
+            201),
+        post(
+            "network/devices",
+            "{'name':'Gate{n}','kind':'camera','address':'10.0.8.1'}",
+            Map.of(
+                "/name", REFUSED,
+                "/kind", REFUSED,
+                "/hardwareAddress", REFUSED,
+                "/address", REFUSED),
+            201),
+        new OrderCase(
+            "PUT",
+            "network/devices/1",
+            json("{'name':'Gate','kind':'camera','address':'10.0.7.20'}"),
+            Map.of(
+                "/name", REFUSED,
+                "/kind", REFUSED,
+                "/hardwareAddress", REFUSED,
+                "/address", REFUSED),
+            200),
+        post(
             "users",
             "{'name':'New{n}','password':'{password}'}",
             Map.of("/name", REFUSED, "/password", PASSWORD, "/role", REFUSED, "/email", REFUSED),

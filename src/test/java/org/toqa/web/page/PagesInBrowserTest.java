@@ -46,6 +46,8 @@ class PagesInBrowserTest extends PagesInBrowser {
           "statistics",
           "history",
           "laboratory",
+          "cameras",
+          "network",
           "notices",
           "notices/settings",
           "notices/webhooks",

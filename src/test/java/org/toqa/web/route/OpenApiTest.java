@@ -131,6 +131,9 @@ class OpenApiTest {
             "put /api/v1/robots/{name} 200",
             "put /api/v1/robots/{name}/limits/{reading} 200",
             "post /api/v1/robots/{name}/locate 200",
+            "post /api/v1/network/devices 201",
+            "put /api/v1/network/devices/{id} 200",
+            "post /api/v1/cameras 201",
             "post /api/v1/users 201",
             "post /api/v1/floors 201",
             "post /api/v1/floors/{floor}/draft/check 200",
@@ -189,6 +192,8 @@ class OpenApiTest {
     assertDescribed("Event", "api/v1/tasks/1", "/history/0");
     assertDescribed("Robot", "api/v1/robots/r1", "");
     assertDescribed("Pose", "api/v1/robots/r1", "/pose");
+    assertDescribed("Network", "api/v1/network", "");
+    assertDescribed("NetworkEntry", "api/v1/network", "/devices/0");
     assertDescribed("FloorSummary", "api/v1/floors", "/0");
     assertDescribed("DrawnFloor", "api/v1/floors/hall", "");
     assertDescribed("Drawing", "api/v1/floors/hall", "/drawing");

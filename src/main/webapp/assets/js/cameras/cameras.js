@@ -1,0 +1,4 @@
+import {showCameras} from '../shared/cameras.js';
+import '../shared/live.js';
+
+showCameras();
