@@ -68,8 +68,7 @@ public final class Cameras implements AutoCloseable {
   public PictureAnswer picture(Camera camera) {
     return pictures
         .get(
-            camera.url(),
-            (url, _) -> CompletableFuture.supplyAsync(() -> client.ask(url), threads))
+            camera.url(), (url, _) -> CompletableFuture.supplyAsync(() -> client.ask(url), threads))
         .join();
   }
 

@@ -24,8 +24,7 @@ import org.toqa.traffic.floor.FormationPaths;
  * goal: {@link Shape#around} in eight headings, its places moved as {@link LoadPlaces} says. A load
  * lies along the heading; a square one also cornerwise, its sides along the map. Shapes that share
  * the load evenly come first, then narrow ones, with robots behind each other, for narrow ways. A
- * function of its arguments: a restarted server
- * finds the same. Any thread may ask.
+ * function of its arguments: a restarted server finds the same. Any thread may ask.
  */
 final class FormationPlacement {
   private static final int EIGHTHS = 8;

@@ -66,12 +66,7 @@ final class LoadPlaces {
    * @param isNarrow whether the narrowest set is wanted, not the one that shares most evenly
    */
   LoadPlaces(
-      OccupancyGrid grid,
-      Pose load,
-      LoadSize size,
-      double turn,
-      double radius,
-      boolean isNarrow) {
+      OccupancyGrid grid, Pose load, LoadSize size, double turn, double radius, boolean isNarrow) {
     this.grid = grid;
     this.load = load;
     this.size = size;
