@@ -13,6 +13,7 @@ import java.util.OptionalDouble;
 import java.util.Set;
 import java.util.TreeMap;
 import java.util.concurrent.CompletableFuture;
+import java.util.stream.Collectors;
 import org.apache.pekko.actor.typed.ActorRef;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
@@ -45,7 +46,7 @@ final class TaskForecaster {
   /** What is told anew only where it has moved by more: a second, or this share of what is left. */
   private static final double MOVED = 0.05;
 
-  /** A task is new, or has just got robots, for so long. */
+  /** A task is new for so long. */
   private static final Duration NEW = Duration.ofSeconds(10);
 
   private final DispatchState state;
@@ -54,6 +55,10 @@ final class TaskForecaster {
   private final Map<Long, ExpectedTimes> expected = new HashMap<>();
   private final Set<Long> keptAtOrder = new HashSet<>();
   private final Set<Long> keptAtStart = new HashSet<>();
+
+  /** Those that had no robots the last time. */
+  private Set<Long> queuedBefore = Set.of();
+
   private Delay delay = Delay.NONE;
   private Map<String, ForecastPicture.UnderWay> underWay = Map.of();
   private Instant measuredAt;
@@ -174,6 +179,11 @@ final class TaskForecaster {
             keep(task, found, result.clockAt(), kept);
           }
         });
+    queuedBefore =
+        tasks.values().stream()
+            .filter(task -> task.state() == TaskState.QUEUED)
+            .map(TaskView::id)
+            .collect(Collectors.toUnmodifiableSet());
     expected.keySet().retainAll(tasks.keySet());
     keptAtOrder.retainAll(tasks.keySet());
     keptAtStart.retainAll(tasks.keySet());
@@ -258,8 +268,7 @@ final class TaskForecaster {
       kept.add(new ExpectedDelivery(task.id(), false, delivery));
     }
     if (task.state() != TaskState.QUEUED
-        && task.state() != TaskState.CARRYING
-        && isRecent(task.changedAt(), from)
+        && (queuedBefore.contains(task.id()) || isRecent(task.task().createdAt(), from))
         && keptAtStart.add(task.id())) {
       kept.add(new ExpectedDelivery(task.id(), true, delivery));
     }
