@@ -115,7 +115,7 @@ class StatisticsInBrowserTest extends PagesInBrowser {
   void aPeriodWithoutAnythingSaysSo() {
     Page page = loggedIn(WebTestServer.CLERK, DESK, DAYS + "&zone=UTC");
 
-    assertThat(page.locator(".chart .notice")).hasCount(8);
+    assertThat(page.locator(".chart .notice")).hasCount(10);
     picture(page, "statistics-empty");
   }
 
