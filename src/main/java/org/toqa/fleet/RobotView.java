@@ -8,6 +8,7 @@ import org.toqa.geometry.Pose;
 import org.toqa.geometry.Vec2;
 import org.toqa.link.message.AgentMessage;
 import org.toqa.link.message.AgentMessage.ArmState;
+import org.toqa.link.message.AgentMessage.CameraView;
 import org.toqa.link.message.AgentMessage.Fault;
 import org.toqa.mission.Phase;
 import org.toqa.traffic.floor.PathDeviation;
@@ -99,6 +100,7 @@ public record RobotView(
    * @param placeError metres off its place beside its leader; null: it does not follow
    * @param measuredLoad kilograms that it bears, as it measures; null: nothing, or it has no scale
    * @param arm null: it has none
+   * @param camera what it sees; null: it has none, or sees nothing at all
    */
   public record Readings(
       @Nullable Double speed,
@@ -106,16 +108,17 @@ public record RobotView(
       List<Double> ranges,
       @Nullable Double placeError,
       @Nullable Double measuredLoad,
-      @Nullable ArmState arm) {
+      @Nullable ArmState arm,
+      @Nullable CameraView camera) {
 
-    /** Of a robot without an arm. */
+    /** Of a robot without an arm and cameras. */
     public Readings(
         @Nullable Double speed,
         @Nullable Double turnRate,
         List<Double> ranges,
         @Nullable Double placeError,
         @Nullable Double measuredLoad) {
-      this(speed, turnRate, ranges, placeError, measuredLoad, null);
+      this(speed, turnRate, ranges, placeError, measuredLoad, null, null);
     }
 
     public static final Readings NONE = new Readings(null, null, List.of(), null, null);
@@ -133,7 +136,8 @@ public record RobotView(
           state.ranges().stream().limit(MOST_RANGES).map(Readings::rounded).toList(),
           error == null ? null : rounded(error),
           load == null ? null : rounded(load),
-          rounded(state.arm()));
+          rounded(state.arm()),
+          state.camera());
     }
 
     private static @Nullable ArmState rounded(@Nullable ArmState arm) {

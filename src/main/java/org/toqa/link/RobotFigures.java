@@ -4,6 +4,7 @@ import java.util.Optional;
 import org.toqa.geometry.Pose;
 import org.toqa.geometry.Vec2;
 import org.toqa.link.message.AgentMessage;
+import org.toqa.link.message.AgentMessage.CameraView;
 import org.toqa.link.message.AgentMessage.Hello;
 import org.toqa.link.message.AgentMessage.State;
 import org.toqa.wording.Phrase;
@@ -22,6 +23,11 @@ final class RobotFigures {
 
   /** Kilograms on board. */
   private static final double MAX_LOAD = 10_000;
+
+  /** Metres that cameras see. */
+  private static final double MAX_VIEW = 1_000;
+
+  private static final int MAX_BOXES = 200;
 
   private RobotFigures() {}
 
@@ -86,6 +92,12 @@ final class RobotFigures {
     if (!state.ranges().stream().allMatch(range -> range >= 0)) {
       return Optional.of("A range of the state is less than 0.");
     }
+    CameraView camera = state.camera();
+    if (camera != null && !isSane(camera)) {
+      return Optional.of(
+          "The camera of the state has a range that is not from 0 to 1,000 m, more than 200 boxes,"
+              + " or one without a number or far away.");
+    }
     Double placeError = state.placeError();
     if (placeError != null && !(placeError >= 0)) {
       return Optional.of("The placeError of the state is less than 0.");
@@ -94,6 +106,13 @@ final class RobotFigures {
     return load == null || (load >= 0 && load <= MAX_LOAD)
         ? Optional.empty()
         : Optional.of("The measuredLoad of the state is not from 0 to 10,000 kg.");
+  }
+
+  private static boolean isSane(CameraView camera) {
+    return camera.range() >= 0
+        && camera.range() <= MAX_VIEW
+        && camera.boxes().size() <= MAX_BOXES
+        && camera.boxes().stream().allMatch(seen -> seen.box() > 0 && isOnEarth(seen.place()));
   }
 
   private static String farAway(String what, String message) {

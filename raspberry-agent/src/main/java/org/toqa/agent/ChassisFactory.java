@@ -60,7 +60,7 @@ final class ChassisFactory {
       throws IOException {
     if (arm != null) {
       try {
-        body.mount(new SimulatedArm(folder.resolve("arm"), arm.arm(), arm.boxWeight()));
+        body.mount(new SimulatedArm(folder.resolve("arm"), arm.arm(), arm.boxWeight(), body));
       } catch (IOException e) {
         body.close();
         throw e;

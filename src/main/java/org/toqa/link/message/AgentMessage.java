@@ -213,6 +213,7 @@ public sealed interface AgentMessage {
    *     board, or no scale
    * @param arm null: it has none
    * @param room whether it has room beside its path, or needs it
+   * @param camera what it sees now; null: it has none, or sees nothing at all
    */
   record State(
       long stamp,
@@ -233,8 +234,53 @@ public sealed interface AgentMessage {
       @JsonSetter(nulls = Nulls.SET) @Nullable Double measuredLoad,
       @JsonSetter(nulls = Nulls.SET) @Nullable ArmState arm,
       RoomUse room,
+      @JsonSetter(nulls = Nulls.SET) @Nullable CameraView camera,
       List<Fault> errors)
       implements AgentMessage {
+
+    /** That of a robot without cameras. */
+    public State(
+        long stamp,
+        boolean localised,
+        Pose pose,
+        Speed twist,
+        Mode mode,
+        @Nullable Long task,
+        int phase,
+        Role role,
+        long drive,
+        int segment,
+        int released,
+        double battery,
+        List<Double> ranges,
+        List<Vec2> obstacles,
+        @Nullable Double placeError,
+        @Nullable Double measuredLoad,
+        @Nullable ArmState arm,
+        RoomUse room,
+        List<Fault> errors) {
+      this(
+          stamp,
+          localised,
+          pose,
+          twist,
+          mode,
+          task,
+          phase,
+          role,
+          drive,
+          segment,
+          released,
+          battery,
+          ranges,
+          obstacles,
+          placeError,
+          measuredLoad,
+          arm,
+          room,
+          null,
+          errors);
+    }
 
     /** That of a robot without an arm, which needs no room beside its path. */
     public State(
@@ -274,6 +320,7 @@ public sealed interface AgentMessage {
           measuredLoad,
           null,
           RoomUse.NONE,
+          null,
           errors);
     }
 
@@ -298,9 +345,29 @@ public sealed interface AgentMessage {
           measuredLoad,
           arm,
           room,
+          camera,
           errors);
     }
   }
+
+  /**
+   * What cameras that look all round see.
+   *
+   * @param range metres: no farther, and not behind walls
+   * @param boxes those that lie in view
+   */
+  record CameraView(double range, List<SeenBox> boxes) {
+    public CameraView {
+      boxes = List.copyOf(boxes);
+    }
+  }
+
+  /**
+   * A box that a camera knows by the number on it.
+   *
+   * @param place metres, map frame
+   */
+  record SeenBox(int box, Vec2 place) {}
 
   /**
    * @param v metres a second, forward

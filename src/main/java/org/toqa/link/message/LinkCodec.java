@@ -239,6 +239,7 @@ public final class LinkCodec {
         addNullIfMissing(message, "placeError");
         addNullIfMissing(message, "measuredLoad");
         addNullIfMissing(message, "arm");
+        addNullIfMissing(message, "camera");
         addRoomUseIfMissing(message);
         message.path("errors").valueStream().forEach(error -> addIfMissing(error, "clearable"));
       }

@@ -7,6 +7,7 @@ import java.util.Set;
 import org.jspecify.annotations.Nullable;
 import org.toqa.geometry.Pose;
 import org.toqa.geometry.Twist;
+import org.toqa.link.message.AgentMessage.CameraView;
 import org.toqa.link.message.AgentMessage.Fault;
 
 /**
@@ -22,6 +23,7 @@ import org.toqa.link.message.AgentMessage.Fault;
  * @param faults why the body cannot drive; empty when it can
  * @param measuredLoad kilograms that it bears, as it measures; null: nothing, or it has no scale
  * @param progress on the path that it drives by itself; null while it drives none
+ * @param camera what its cameras see; null: it has none, or they see nothing at all
  */
 public record ChassisReading(
     long powerCycle,
@@ -32,7 +34,32 @@ public record ChassisReading(
     List<Double> ranges,
     List<Fault> faults,
     @Nullable Double measuredLoad,
-    @Nullable PathProgress progress) {
+    @Nullable PathProgress progress,
+    @Nullable CameraView camera) {
+
+  /** Of a body without cameras. */
+  public ChassisReading(
+      long powerCycle,
+      @Nullable Pose startPose,
+      Pose odometry,
+      Twist twist,
+      double battery,
+      List<Double> ranges,
+      List<Fault> faults,
+      @Nullable Double measuredLoad,
+      @Nullable PathProgress progress) {
+    this(
+        powerCycle,
+        startPose,
+        odometry,
+        twist,
+        battery,
+        ranges,
+        faults,
+        measuredLoad,
+        progress,
+        null);
+  }
 
   public ChassisReading {
     ranges = List.copyOf(ranges);
@@ -42,7 +69,16 @@ public record ChassisReading(
   /** The same with these faults. */
   public ChassisReading withFaults(List<Fault> others) {
     return new ChassisReading(
-        powerCycle, startPose, odometry, twist, battery, ranges, others, measuredLoad, progress);
+        powerCycle,
+        startPose,
+        odometry,
+        twist,
+        battery,
+        ranges,
+        others,
+        measuredLoad,
+        progress,
+        camera);
   }
 
   /** The codes of the stops that only a person's word clears. */

@@ -12,9 +12,9 @@ import org.toqa.arm.JointAngles;
 import org.toqa.arm.JointLimits;
 
 /**
- * An arm, simulated: joints that follow a command as fast as they can, and a load sensor. Wherever
- * its hand closes there is a box. Its state is kept in a file, since an arm does not let go when
- * its daemon is killed.
+ * An arm, simulated: joints that follow a command as fast as they can, and a load sensor. Its hand
+ * grasps the box that lies there; where no boxes are simulated there is one wherever it closes. Its
+ * state is kept in a file, since an arm does not let go when its daemon is killed.
  */
 public final class SimulatedArm implements ArmDrive {
 
@@ -22,6 +22,7 @@ public final class SimulatedArm implements ArmDrive {
 
   private final Arm arm;
   private final NumberFile file;
+  private final SimulatedChassis body;
   private ArmReading reading;
   private @Nullable Double boxWeight;
   private double expectedLoad;
@@ -30,11 +31,15 @@ public final class SimulatedArm implements ArmDrive {
   private boolean stuck;
 
   /**
-   * @param boxWeight kilograms of the boxes that its hand grasps, 0 for no box; null: as ordered
+   * @param body on which it is mounted
+   * @param boxWeight kilograms of the boxes that its hand grasps, 0 for no box; null: as they are
+   *     simulated, else as ordered
    * @throws IOException when the file cannot be read or written
    */
-  public SimulatedArm(Path path, Arm arm, @Nullable Double boxWeight) throws IOException {
+  public SimulatedArm(Path path, Arm arm, @Nullable Double boxWeight, SimulatedChassis body)
+      throws IOException {
     this.arm = arm;
+    this.body = body;
     this.boxWeight = boxWeight;
     this.file = new NumberFile(path, NUMBERS);
     Optional<double[]> kept = file.read();
@@ -66,14 +71,17 @@ public final class SimulatedArm implements ArmDrive {
                 turned(at.shoulder(), command.angles().shoulder(), arm.shoulder(), seconds),
                 turned(at.elbow(), command.angles().elbow(), arm.elbow(), seconds));
     boolean closed = command.handClosed();
-    double load = closed ? (reading.handClosed() ? reading.load() : graspedWeight()) : 0;
+    double load = closed ? (reading.handClosed() ? reading.load() : graspedWeight(angles)) : 0;
+    if (!closed && reading.isHolding()) {
+      body.release(arm.handAt(angles));
+    }
     reading = new ArmReading(angles, closed, load);
     file.write(angles.shoulder(), angles.elbow(), closed ? 1 : 0, load);
     return reading;
   }
 
-  private double graspedWeight() {
-    return boxWeight == null ? expectedLoad : boxWeight;
+  private double graspedWeight(JointAngles angles) {
+    return boxWeight == null ? body.grasp(arm.handAt(angles)).orElse(expectedLoad) : boxWeight;
   }
 
   private static double turned(double at, double wanted, JointLimits joint, double seconds) {

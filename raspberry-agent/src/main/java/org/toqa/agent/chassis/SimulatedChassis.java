@@ -53,6 +53,7 @@ public final class SimulatedChassis implements Chassis {
   private final SimulatedBattery battery;
   private final Surroundings surroundings;
   private final SimulatedRangeSensors ranges;
+  private final SimulatedCamera camera;
   private final WheelKinematics kinematics;
   private final DriveKind kind;
   private final double noise;
@@ -165,6 +166,7 @@ public final class SimulatedChassis implements Chassis {
     this.battery = battery;
     this.surroundings = surroundings;
     this.ranges = new SimulatedRangeSensors(sensors, surroundings, seed);
+    this.camera = new SimulatedCamera(surroundings);
     this.kinematics = wheels.kinematics();
     this.kind = wheels.kind();
     this.noise = wheels.slip();
@@ -265,7 +267,8 @@ public final class SimulatedChassis implements Chassis {
         ranges.update(state.truePose(), nanos),
         List.of(),
         measuredLoad(),
-        queue == null ? null : queue.progress());
+        queue == null ? null : queue.progress(),
+        camera.update(state.truePose().position(), nanos));
   }
 
   /** As a scale under the load would. */
@@ -327,6 +330,25 @@ public final class SimulatedChassis implements Chassis {
    */
   public void setBlind(int sensor, boolean isBlind) {
     ranges.setBlind(sensor, isBlind);
+  }
+
+  /**
+   * Its hand closes.
+   *
+   * @param hand where, metres, robot's frame
+   * @return kilograms of the box there, 0 where there is none; empty where no boxes are simulated
+   */
+  OptionalDouble grasp(Vec2 hand) {
+    return surroundings.grasp(inMap(hand));
+  }
+
+  /** Its hand opens there, metres, robot's frame. */
+  void release(Vec2 hand) {
+    surroundings.release(inMap(hand));
+  }
+
+  private Vec2 inMap(Vec2 hand) {
+    return state.truePose().compose(new Pose(hand.x(), hand.y(), 0)).position();
   }
 
   @Override

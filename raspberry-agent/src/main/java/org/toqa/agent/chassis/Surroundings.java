@@ -5,6 +5,7 @@ import java.util.OptionalDouble;
 import org.jspecify.annotations.Nullable;
 import org.toqa.geometry.Pose;
 import org.toqa.geometry.Vec2;
+import org.toqa.link.message.AgentMessage.CameraView;
 
 /**
  * The obstacles round one simulated body, which itself is no part of it. Called by the body's
@@ -58,6 +59,34 @@ public interface Surroundings {
   default OptionalDouble borneShare() {
     return OptionalDouble.empty();
   }
+
+  /**
+   * What the body's cameras see, if it has any.
+   *
+   * @param from where they are, map frame
+   * @return null: it has none, or they see nothing at all
+   */
+  default @Nullable CameraView view(Vec2 from) {
+    return null;
+  }
+
+  /**
+   * The body's hand closes.
+   *
+   * @param hand where, metres, map frame
+   * @return kilograms of the box there, which it has from now on; 0 where there is none; empty
+   *     where no boxes are simulated
+   */
+  default OptionalDouble grasp(Vec2 hand) {
+    return OptionalDouble.empty();
+  }
+
+  /**
+   * The body's hand opens, and what it held lies there.
+   *
+   * @param hand metres, map frame
+   */
+  default void release(Vec2 hand) {}
 
   /**
    * Metres from a point to the first thing in a direction.

@@ -100,6 +100,7 @@ public record RobotReport(
         reading.measuredLoad(),
         arm,
         roomUse,
+        reading.camera(),
         notes.isEmpty() ? errors : Stream.concat(errors.stream(), notes.stream()).toList());
   }
 }
