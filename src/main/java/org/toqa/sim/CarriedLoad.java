@@ -75,6 +75,11 @@ final class CarriedLoad {
     return supports.isEmpty();
   }
 
+  /** Of the load, metres, map frame. */
+  Vec2 middle() {
+    return at.position();
+  }
+
   OptionalDouble shareOf(String robot) {
     Double share = shares.get(robot);
     return share == null ? OptionalDouble.empty() : OptionalDouble.of(share);

@@ -14,6 +14,13 @@ final class CarriedLoads {
   /** By robot, the task of the load that lies on it. */
   private final Map<String, Long> tasks = new HashMap<>();
 
+  /** Those that may be among them; null: there are none. */
+  private @Nullable SimulatedBoxes boxes;
+
+  synchronized void setBoxes(SimulatedBoxes there) {
+    boxes = there;
+  }
+
   /**
    * A robot tells what lies on it; at each of its ticks.
    *
@@ -27,8 +34,15 @@ final class CarriedLoads {
     }
     if (load != null) {
       tasks.put(robot, load.task());
-      loads.computeIfAbsent(load.task(), _ -> new CarriedLoad(load)).put(robot, load, truth);
+      loads.computeIfAbsent(load.task(), _ -> lift(load)).put(robot, load, truth);
     }
+  }
+
+  private CarriedLoad lift(SharedLoad load) {
+    if (boxes != null) {
+      boxes.lift(load.task(), load.middle());
+    }
+    return new CarriedLoad(load);
   }
 
   private void takeAway(String robot, long task) {
@@ -36,6 +50,9 @@ final class CarriedLoads {
     CarriedLoad load = loads.get(task);
     if (load != null && load.takeAway(robot)) {
       loads.remove(task);
+      if (boxes != null) {
+        boxes.setDown(task, load.middle());
+      }
     }
   }
 

@@ -17,6 +17,7 @@ import org.toqa.agent.chassis.SharedLoad;
 import org.toqa.agent.chassis.Surroundings;
 import org.toqa.geometry.Pose;
 import org.toqa.geometry.Vec2;
+import org.toqa.link.message.AgentMessage.CameraView;
 
 /**
  * The floor on which a body is, and how people carry it to another one: at its next tick it stands
@@ -33,6 +34,7 @@ final class FloorOfBody implements Surroundings {
 
   private final String robot;
   private final double radius;
+  private final double cameraRange;
   private final Path folder;
   private final AtomicReference<@Nullable Carried> carried = new AtomicReference<>();
   private volatile SimulatedFloor floor;
@@ -42,15 +44,17 @@ final class FloorOfBody implements Surroundings {
   private record Carried(SimulatedFloor to, Pose pose) {}
 
   /**
+   * @param robot whose it is, with its cameras
    * @param radius of that robot, metres
    * @param folder the robot's
    */
-  FloorOfBody(String robot, double radius, Path folder, SimulatedFloor floor) {
-    this.robot = robot;
+  FloorOfBody(SimulatedRobot robot, double radius, Path folder, SimulatedFloor floor) {
+    this.robot = robot.name();
     this.radius = radius;
+    this.cameraRange = robot.cameraRange();
     this.folder = folder;
     this.floor = floor;
-    this.surroundings = floor.surroundings(robot, radius);
+    this.surroundings = enter(floor, robot.name(), radius, cameraRange);
   }
 
   /**
@@ -61,6 +65,14 @@ final class FloorOfBody implements Surroundings {
   static boolean isElsewhere(Path folder, String floor) throws IOException {
     Path file = folder.resolve(FILE);
     return Files.exists(file) && !Files.readString(file, StandardCharsets.UTF_8).equals(floor);
+  }
+
+  private static Surroundings enter(
+      SimulatedFloor floor, String robot, double radius, double cameraRange) {
+    if (cameraRange > 0) {
+      floor.mountCamera(robot, cameraRange);
+    }
+    return floor.surroundings(robot, radius);
   }
 
   SimulatedFloor floor() {
@@ -104,7 +116,7 @@ final class FloorOfBody implements Surroundings {
     }
     floor.removeRobot(robot);
     floor = to.to();
-    surroundings = floor.surroundings(robot, radius);
+    surroundings = enter(floor, robot, radius, cameraRange);
     isStored = false;
     return Optional.of(to.pose());
   }
@@ -134,6 +146,21 @@ final class FloorOfBody implements Surroundings {
   @Override
   public OptionalDouble borneShare() {
     return surroundings.borneShare();
+  }
+
+  @Override
+  public @Nullable CameraView view(Vec2 from) {
+    return surroundings.view(from);
+  }
+
+  @Override
+  public OptionalDouble grasp(Vec2 hand) {
+    return surroundings.grasp(hand);
+  }
+
+  @Override
+  public void release(Vec2 hand) {
+    surroundings.release(hand);
   }
 
   @Override

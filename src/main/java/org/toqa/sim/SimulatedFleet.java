@@ -219,7 +219,7 @@ public final class SimulatedFleet implements AutoCloseable {
       throws IOException {
     Path firmware = robot.firmware();
     if (firmware == null) {
-      FloorOfBody body = new FloorOfBody(robot.name(), FOOTPRINT / 2, folder, floor);
+      FloorOfBody body = new FloorOfBody(robot, FOOTPRINT / 2, folder, floor);
       bodies.put(robot.name(), body);
       return new ChassisConfig.Simulated(
           robot.start(),

@@ -1,9 +1,11 @@
 package org.toqa.sim;
 
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
 import org.jspecify.annotations.Nullable;
 import org.toqa.agent.chassis.SharedLoad;
@@ -14,6 +16,8 @@ import org.toqa.grid.FloorMap;
 import org.toqa.grid.OccupancyGrid;
 import org.toqa.grid.Place;
 import org.toqa.grid.RayCast;
+import org.toqa.link.message.AgentMessage.CameraView;
+import org.toqa.link.message.AgentMessage.SeenBox;
 
 /**
  * The one world of all simulated robots: walls, the robots themselves, and obstacles that anybody
@@ -42,6 +46,14 @@ public final class SimulatedFloor {
   private final Map<String, Solid> robots = new ConcurrentHashMap<>();
   private final SolidIndex solids = new SolidIndex();
   private final CarriedLoads carriedLoads = new CarriedLoads();
+
+  /** By robot, metres that its cameras see. */
+  private final Map<String, Double> cameras = new ConcurrentHashMap<>();
+
+  private final Set<String> blind = ConcurrentHashMap.newKeySet();
+
+  /** Null: no boxes are simulated. */
+  private volatile @Nullable SimulatedBoxes boxes;
 
   private SimulatedFloor(String name, @Nullable OccupancyGrid walls, List<Vec2> chargers) {
     this.name = name;
@@ -89,6 +101,56 @@ public final class SimulatedFloor {
     removeSolid(obstacles.put(obstacle, there));
   }
 
+  /** From now on these boxes are on it. */
+  public void putBoxes(SimulatedBoxes there) {
+    boxes = there;
+    carriedLoads.setBoxes(there);
+  }
+
+  /**
+   * A robot has cameras from now on.
+   *
+   * @param range metres that they see
+   */
+  void mountCamera(String robot, double range) {
+    cameras.put(robot, range);
+  }
+
+  /** Fault switch: the cameras of a robot see nothing at all. */
+  public void setCameraBlind(String robot, boolean isBlind) {
+    if (isBlind) {
+      blind.add(robot);
+    } else {
+      blind.remove(robot);
+    }
+  }
+
+  /** What cameras see from there: what lies within their range and not behind walls. */
+  private CameraView view(Vec2 from, double range) {
+    SimulatedBoxes there = boxes;
+    List<SeenBox> seen = new ArrayList<>();
+    if (there != null) {
+      there
+          .lying()
+          .forEach(
+              (number, place) -> {
+                if (isInView(from, place, range)) {
+                  seen.add(new SeenBox(number, place));
+                }
+              });
+    }
+    return new CameraView(range, seen);
+  }
+
+  private boolean isInView(Vec2 from, Vec2 place, double range) {
+    Vec2 ray = place.minus(from);
+    double distance = ray.norm();
+    return distance <= range
+        && (distance < 1e-9
+            || distanceToWall(new Pose(from.x(), from.y(), ray.angle()), distance)
+                >= distance - 1e-9);
+  }
+
   /** Takes an obstacle away. */
   public synchronized void removeObstacle(String obstacle) {
     removeSolid(obstacles.remove(obstacle));
@@ -100,12 +162,16 @@ public final class SimulatedFloor {
     }
   }
 
-  /** The robot is carried away; nothing lies on it. */
+  /** The robot is carried away; nothing lies on it, and what its hand held is left where it was. */
   void removeRobot(String robot) {
     Solid gone = robots.remove(robot);
     if (gone != null) {
       removeSolid(gone);
       carriedLoads.put(robot, null, gone.at());
+      SimulatedBoxes there = boxes;
+      if (there != null) {
+        there.release(robot, gone.at().position());
+      }
     }
   }
 
@@ -151,6 +217,28 @@ public final class SimulatedFloor {
       @Override
       public OptionalDouble borneShare() {
         return carriedLoads.shareOf(robot);
+      }
+
+      @Override
+      public @Nullable CameraView view(Vec2 from) {
+        Double range = cameras.get(robot);
+        return range == null || blind.contains(robot)
+            ? null
+            : SimulatedFloor.this.view(from, range);
+      }
+
+      @Override
+      public OptionalDouble grasp(Vec2 hand) {
+        SimulatedBoxes there = boxes;
+        return there == null ? OptionalDouble.empty() : OptionalDouble.of(there.grasp(robot, hand));
+      }
+
+      @Override
+      public void release(Vec2 hand) {
+        SimulatedBoxes there = boxes;
+        if (there != null) {
+          there.release(robot, hand);
+        }
       }
 
       @Override

@@ -16,6 +16,7 @@ import org.toqa.motion.DriveKind;
  * @param firmware the folder of the built firmware that is to drive it, in a simulated
  *     microcontroller; null: its body is simulated as a whole
  * @param arm null: it has none
+ * @param cameraRange metres that its cameras see; 0: it has none
  */
 public record SimulatedRobot(
     String name,
@@ -24,9 +25,10 @@ public record SimulatedRobot(
     double battery,
     DriveKind kind,
     @Nullable Path firmware,
-    @Nullable ArmConfig arm) {
+    @Nullable ArmConfig arm,
+    double cameraRange) {
 
-  /** Without an arm. */
+  /** Without an arm and cameras. */
   public SimulatedRobot(
       String name,
       Pose start,
@@ -34,12 +36,17 @@ public record SimulatedRobot(
       double battery,
       DriveKind kind,
       @Nullable Path firmware) {
-    this(name, start, maxLoad, battery, kind, firmware, null);
+    this(name, start, maxLoad, battery, kind, firmware, null, 0);
   }
 
   /** The same with that arm. */
   public SimulatedRobot withArm(ArmConfig mounted) {
-    return new SimulatedRobot(name, start, maxLoad, battery, kind, firmware, mounted);
+    return new SimulatedRobot(name, start, maxLoad, battery, kind, firmware, mounted, cameraRange);
+  }
+
+  /** The same with cameras that see so far, metres. */
+  public SimulatedRobot withCamera(double range) {
+    return new SimulatedRobot(name, start, maxLoad, battery, kind, firmware, arm, range);
   }
 
   /** On three omni wheels. */

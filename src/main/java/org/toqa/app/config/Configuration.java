@@ -32,6 +32,8 @@ import org.toqa.telemetry.mqtt.BrokerSettings;
  * @param simulatedRobots how many simulated robots, floor by floor
  * @param simulatedBatteries charge of new simulated robots as a share of a full battery, 0 to 1,
  *     robot by robot; the last one counts for all others
+ * @param simulatedBoxes the file of boxes on a floor, and of the simulated robots that see and lift
+ *     them; null: there are none
  * @param firmware the folder of the built firmware that drives the first simulated robot, in a
  *     simulated microcontroller; null: every body is simulated as a whole
  * @param widestRobot the largest diameter that is believed of a robot, metres
@@ -66,6 +68,7 @@ public record Configuration(
     Policy allocationPolicy,
     List<Integer> simulatedRobots,
     List<Double> simulatedBatteries,
+    @Nullable Path simulatedBoxes,
     @Nullable Path firmware,
     double widestRobot,
     Margins margins,
@@ -109,6 +112,7 @@ public record Configuration(
         allocationPolicy,
         List.of(),
         simulatedBatteries,
+        null,
         null,
         widestRobot,
         margins,

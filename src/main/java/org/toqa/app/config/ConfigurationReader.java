@@ -80,6 +80,7 @@ record ConfigurationReader(List<SettingSource> layers) {
         allocationPolicy(),
         simulate,
         batteries(),
+        boxes(isSimulated),
         firmware(isSimulated),
         number(Setting.WIDEST_ROBOT),
         new Margins(number(Setting.MARGINS_ROBOT), number(Setting.MARGINS_FORMATION)),
@@ -355,6 +356,21 @@ record ConfigurationReader(List<SettingSource> layers) {
       throw invalid(setting, "nothing can be written to " + present + "; name another folder.");
     }
     return folder;
+  }
+
+  private @Nullable Path boxes(boolean isSimulated) throws ConfigurationException {
+    if (text(Setting.SIMULATE_BOXES).isEmpty()) {
+      return null;
+    }
+    if (!isSimulated) {
+      throw invalid(
+          Setting.SIMULATE_BOXES, "only simulated robots find them: set simulate as well.");
+    }
+    Path file = path(Setting.SIMULATE_BOXES);
+    if (!Files.isReadable(file) || Files.isDirectory(file)) {
+      throw outOfRange(Setting.SIMULATE_BOXES);
+    }
+    return file;
   }
 
   private @Nullable Path firmware(boolean isSimulated) throws ConfigurationException {

@@ -38,6 +38,7 @@ public enum Setting {
   FIRMWARE("firmware", "", "the folder of the built firmware, with toqa.hex and toqa-sim"),
   SIMULATE("simulate", "0", new WholeNumbers(0, 500, "")),
   SIMULATE_BATTERIES("simulateBatteries", "100", new WholeNumbers(5, 100, "percent")),
+  SIMULATE_BOXES("simulateBoxes", "", "a .yaml file with boxes for simulated robots"),
   WIDEST_ROBOT("widestRobot", "1", new Decimal(0.1, 10, "metres")),
   MARGINS_ROBOT(
       "margins.robot", String.valueOf(Margins.USUAL.robot()), new Decimal(0, 1, "metres")),

@@ -24,9 +24,11 @@ import org.toqa.geometry.Pose;
 import org.toqa.grid.FloorMap;
 import org.toqa.grid.Place;
 import org.toqa.persistence.StoreException;
+import org.toqa.sim.SimulatedBoxes;
 import org.toqa.sim.SimulatedFleet;
 import org.toqa.sim.SimulatedFloor;
 import org.toqa.sim.SimulatedRobot;
+import org.toqa.sim.SimulatedStore;
 import org.toqa.sim.VirtualClock;
 
 /** The robots that live in the server's process, as the configuration wants them. */
@@ -50,6 +52,7 @@ final class SimulatedRobots {
     List<RobotRecord> fresh = new ArrayList<>();
     Map<String, SimulatedFloor> worlds = new LinkedHashMap<>();
     floors.forEach(floor -> worlds.put(floor.name(), SimulatedFloor.of(floor)));
+    SimulatedStore boxes = putBoxes(configuration, worlds);
     Map<SimulatedFloor, List<SimulatedRobot>> robots = new LinkedHashMap<>();
     worlds.values().forEach(world -> robots.put(world, new ArrayList<>()));
     Map<String, StoredRobot> known = knownRobots(store, configuration, worlds.keySet(), folders);
@@ -69,7 +72,8 @@ final class SimulatedRobots {
                 initialBattery(configuration, made),
                 firmware);
         String where = before == null ? floor.name() : before.record().floor();
-        requireNonNull(robots.get(worlds.get(where))).add(robot);
+        requireNonNull(robots.get(worlds.get(where)))
+            .add(boxes == null ? robot : boxes.equipped(robot));
         String parking = j < floor.parking().size() ? places.get(j).name() : null;
         fresh.add(
             before == null
@@ -89,6 +93,29 @@ final class SimulatedRobots {
       simulated.close();
       throw cannotBeStored(e);
     }
+  }
+
+  /**
+   * Puts the boxes where they were left, or as they are at first.
+   *
+   * @return null: there are none
+   */
+  private static @Nullable SimulatedStore putBoxes(
+      Configuration configuration, Map<String, SimulatedFloor> worlds) throws IOException {
+    Path file = configuration.simulatedBoxes();
+    if (file == null) {
+      return null;
+    }
+    SimulatedStore boxes = SimulatedStore.read(file);
+    SimulatedFloor world = worlds.get(boxes.floor());
+    if (world == null) {
+      throw new IOException(
+          "%s: there is no floor %s; the floors are %s."
+              .formatted(file, boxes.floor(), String.join(", ", worlds.keySet())));
+    }
+    world.putBoxes(
+        SimulatedBoxes.open(configuration.data().resolve("robots/boxes"), boxes.boxes()));
+    return boxes;
   }
 
   /** Where a body is put if none is kept: where its robot stood last, else at its first place. */
