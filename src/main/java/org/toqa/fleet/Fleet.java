@@ -7,6 +7,7 @@ import java.util.UUID;
 import java.util.concurrent.CompletionStage;
 import org.jspecify.annotations.Nullable;
 import org.toqa.geometry.Pose;
+import org.toqa.geometry.Vec2;
 import org.toqa.grid.FloorMap;
 import org.toqa.link.gateway.GatewayState;
 import org.toqa.mission.MissionEvent;
@@ -135,6 +136,14 @@ public interface Fleet {
 
   /** A person sends a robot that has nothing to do to its parking point. */
   CompletionStage<Answer<RobotView>> sendHome(String robot, String user);
+
+  /**
+   * A robot that has nothing to do drives to a place, in the place of where it drove; a while after
+   * it has come there it goes home by itself. Nothing of it is stored.
+   *
+   * @param place metres, map frame; a robot must be able to stand there
+   */
+  CompletionStage<Answer<RobotView>> sendTo(String robot, Vec2 place);
 
   /**
    * A person drives a robot by hand: a step more, which its floor's traffic grants or refuses. The

@@ -31,6 +31,7 @@ import org.toqa.fleet.Schedules;
 import org.toqa.fleet.SnapshotFeed;
 import org.toqa.fleet.schedule.StoredSchedules;
 import org.toqa.geometry.Pose;
+import org.toqa.geometry.Vec2;
 import org.toqa.grid.FloorMap;
 import org.toqa.link.message.AgentMessage.Fault;
 import org.toqa.testbed.Hall;
@@ -196,6 +197,11 @@ public final class TestFleet extends TasksInMemory {
         ? change(name, known -> standing(known, RobotState.IDLE, known.telemetry().pose()))
         : CompletableFuture.completedFuture(
             new Answer.Conflict<>(Phrase.STOPS_HAVE_CHANGED.with(name, stops.toString()), null));
+  }
+
+  @Override
+  public CompletionStage<Answer<RobotView>> sendTo(String name, Vec2 place) {
+    return sendHome(name, "");
   }
 
   @Override

@@ -235,6 +235,9 @@ final class DispatchAgent extends AbstractBehavior<DispatchMessage> {
       case DispatchMessage.SendHome m ->
           robotCommands.forwardToFloor(
               m.robot(), m.replyTo(), new FloorMessage.SendHome(m.robot(), m.user(), m.replyTo()));
+      case DispatchMessage.SendTo m ->
+          robotCommands.forwardToFloor(
+              m.robot(), m.replyTo(), new FloorMessage.SendTo(m.robot(), m.place(), m.replyTo()));
       case DispatchMessage.DriveByHand m ->
           robotCommands.forwardToFloor(
               m.robot(),

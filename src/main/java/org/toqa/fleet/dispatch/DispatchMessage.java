@@ -32,6 +32,7 @@ import org.toqa.fleet.TaskView;
 import org.toqa.fleet.dispatch.DeliveryForecast.Delivery;
 import org.toqa.fleet.floor.FloorEvent;
 import org.toqa.geometry.Pose;
+import org.toqa.geometry.Vec2;
 import org.toqa.link.trust.Fingerprint;
 import org.toqa.mission.Mission;
 import org.toqa.mission.MissionEvent;
@@ -230,6 +231,9 @@ public sealed interface DispatchMessage {
       implements DispatchMessage {}
 
   record SendHome(String robot, String user, ActorRef<StatusReply<Answer<RobotView>>> replyTo)
+      implements DispatchMessage {}
+
+  record SendTo(String robot, Vec2 place, ActorRef<StatusReply<Answer<RobotView>>> replyTo)
       implements DispatchMessage {}
 
   /** A person who drives a robot by hand wants a step more. */

@@ -39,6 +39,7 @@ import org.toqa.fleet.robot.AgentHealth;
 import org.toqa.fleet.robot.RobotAgents;
 import org.toqa.fleet.robot.RobotMessage;
 import org.toqa.geometry.Pose;
+import org.toqa.geometry.Vec2;
 import org.toqa.grid.FloorMap;
 import org.toqa.mission.MissionEvent;
 import org.toqa.mission.OrderPart;
@@ -267,6 +268,10 @@ public final class FloorFleet implements AutoCloseable {
 
   public CompletionStage<Answer<RobotView>> sendHome(String robot, String user) {
     return dispatch.ask(replyTo -> new DispatchMessage.SendHome(robot, user, replyTo));
+  }
+
+  public CompletionStage<Answer<RobotView>> sendTo(String robot, Vec2 place) {
+    return dispatch.ask(replyTo -> new DispatchMessage.SendTo(robot, place, replyTo));
   }
 
   public CompletionStage<Answer<ManualAnswer>> driveByHand(

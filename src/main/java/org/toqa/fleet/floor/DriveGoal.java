@@ -28,6 +28,10 @@ record DriveGoal(
     return new DriveGoal(null, Phase.NONE, parking, null, 0, 0);
   }
 
+  static DriveGoal toPlace(Vec2 place) {
+    return new DriveGoal(null, Phase.NONE, place, null, 0, 0);
+  }
+
   static DriveGoal toCharger(Vec2 point) {
     return new DriveGoal(null, Phase.NONE, point, null, 0, 0);
   }

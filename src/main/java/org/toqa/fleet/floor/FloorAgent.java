@@ -174,6 +174,7 @@ public final class FloorAgent extends AbstractBehavior<FloorMessage> {
       case FloorMessage.ClearStops m -> clearCommands.clearStops(m);
       case FloorMessage.ClearStored m -> clearCommands.clearStored(m.command());
       case FloorMessage.SendHome m -> operatorCommands.sendHome(m);
+      case FloorMessage.SendTo m -> operatorCommands.sendTo(m);
       case FloorMessage.DriveByHand m -> manualDrives.drive(m);
       case FloorMessage.EndManualDrive m -> manualDrives.end(m);
       case FloorMessage.LocateRobot m -> operatorCommands.locateRobot(m);

@@ -19,6 +19,7 @@ import org.toqa.fleet.RobotView;
 import org.toqa.fleet.TaskView;
 import org.toqa.fleet.robot.RobotEvent;
 import org.toqa.geometry.Pose;
+import org.toqa.geometry.Vec2;
 import org.toqa.mission.Mission;
 import org.toqa.mission.MissionEvent;
 import org.toqa.persistence.StoreException;
@@ -101,6 +102,10 @@ public sealed interface FloorMessage {
 
   /** A person sends an idle robot to its parking point. */
   record SendHome(String robot, String user, ActorRef<StatusReply<Answer<RobotView>>> replyTo)
+      implements FloorMessage {}
+
+  /** A robot that has nothing to do shall drive to a place, metres, map frame. */
+  record SendTo(String robot, Vec2 place, ActorRef<StatusReply<Answer<RobotView>>> replyTo)
       implements FloorMessage {}
 
   /** A person who drives a robot by hand wants a step more. */

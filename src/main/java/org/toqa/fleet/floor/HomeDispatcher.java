@@ -26,6 +26,14 @@ final class HomeDispatcher {
 
   /** Why a person cannot send the robot home now; null if it can be. */
   @Nullable Sentence objection(FloorRobot robot) {
+    Sentence busy = objectionToLeave(robot);
+    return busy == null && state.parkingPoint(robot.name()).isEmpty()
+        ? Phrase.HAS_NO_HOME.with(robot.name())
+        : busy;
+  }
+
+  /** Why the robot cannot be sent anywhere now; null if it can be. */
+  @Nullable Sentence objectionToLeave(FloorRobot robot) {
     Optional<Mission> mission = state.missions.missionOf(robot.name());
     if (mission.isPresent()) {
       return Phrase.HOME_AFTER_TASK.with(robot.name(), mission.get().id());
@@ -36,9 +44,6 @@ final class HomeDispatcher {
     String driver = robot.manual.driver();
     if (driver != null) {
       return Phrase.DRIVEN_BY_ANOTHER.with(robot.name(), driver);
-    }
-    if (state.parkingPoint(robot.name()).isEmpty()) {
-      return Phrase.HAS_NO_HOME.with(robot.name());
     }
     if (robot.hold.isHeld()) {
       return robot.settings.isHeld()

@@ -240,6 +240,22 @@ final class OperatorCommandHandler {
             Phrase.ROBOT_LET_GO_ON.with(m.user(), m.robot()));
   }
 
+  void sendTo(FloorMessage.SendTo m) {
+    FloorRobot robot = state.robots.get(m.robot());
+    if (robot == null) {
+      m.replyTo().tell(StatusReply.success(FloorState.unknownRobot(m.robot())));
+      return;
+    }
+    Sentence objection = homing.objectionToLeave(robot);
+    if (objection != null) {
+      m.replyTo().tell(StatusReply.success(new Answer.Conflict<>(objection, null)));
+      return;
+    }
+    robot.drive.setGoal(DriveGoal.toPlace(m.place()));
+    reports.send();
+    m.replyTo().tell(StatusReply.success(new Answer.Accepted<>(reports.view(robot))));
+  }
+
   void sendHome(FloorMessage.SendHome m) {
     FloorRobot robot = state.robots.get(m.robot());
     if (robot == null) {

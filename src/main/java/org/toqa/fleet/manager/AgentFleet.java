@@ -62,6 +62,7 @@ import org.toqa.fleet.dispatch.TaskSubmitter;
 import org.toqa.fleet.robot.AgentHealth;
 import org.toqa.fleet.schedule.StoredSchedules;
 import org.toqa.geometry.Pose;
+import org.toqa.geometry.Vec2;
 import org.toqa.grid.FloorMap;
 import org.toqa.link.RobotLinkFactory;
 import org.toqa.link.gateway.GatewayState;
@@ -403,6 +404,11 @@ public final class AgentFleet implements Fleet, AutoCloseable {
   @Override
   public CompletionStage<Answer<RobotView>> sendHome(String robot, String user) {
     return router.askFloorOf(robot, floor -> floor.sendHome(robot, user));
+  }
+
+  @Override
+  public CompletionStage<Answer<RobotView>> sendTo(String robot, Vec2 place) {
+    return router.askFloorOf(robot, floor -> floor.sendTo(robot, place));
   }
 
   @Override
