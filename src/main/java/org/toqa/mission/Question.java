@@ -1,7 +1,9 @@
 package org.toqa.mission;
 
 import java.util.List;
+import java.util.Optional;
 import org.jspecify.annotations.Nullable;
+import org.toqa.wording.Phrase;
 import org.toqa.wording.Sentence;
 
 /**
@@ -34,6 +36,15 @@ public record Question(
 
   public Question {
     answers = List.copyOf(answers);
+  }
+
+  /** Kilograms, where an arm did not lift the load since it has weighed that it is too heavy. */
+  public Optional<Double> weighed() {
+    return why != null
+            && why.phrase() == Phrase.ARM_TOO_WEAK
+            && why.values().getFirst() instanceof Number kilograms
+        ? Optional.of(kilograms.doubleValue())
+        : Optional.empty();
   }
 
   static Question about(Trouble trouble, Kind kind, Sentence question, List<String> answers) {

@@ -20,6 +20,7 @@ import org.toqa.fleet.history.SceneStore;
 import org.toqa.fleet.history.SeenPlaces;
 import org.toqa.fleet.history.StatisticsArchive;
 import org.toqa.fleet.history.TrackStore;
+import org.toqa.fleet.supervision.Supervisor;
 import org.toqa.lab.record.Laboratory;
 import org.toqa.network.Network;
 import org.toqa.notices.Notices;
@@ -41,6 +42,7 @@ public record Services(
     TrackStore tracks,
     SceneStore scenes,
     ScheduleStore schedules,
+    Supervisor supervisor,
     StatisticsArchive statistics,
     SeenPlaces seenPlaces,
     @Nullable Telemetry telemetry,

@@ -16,7 +16,9 @@ import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.LockSupport;
 import java.util.function.Function;
 import java.util.function.Predicate;
+import java.util.function.UnaryOperator;
 import java.util.stream.Collectors;
+import org.jdbi.v3.core.Jdbi;
 import org.jspecify.annotations.Nullable;
 import org.toqa.allocation.Policy;
 import org.toqa.app.server.TrueBodies;
@@ -68,6 +70,8 @@ final class LiveFloor {
   final SimulatedFloor world;
   final SimulatedFleet robots;
   final AgentFleet fleet;
+  final Jdbi jdbi;
+  final JdbiFleetStore store;
 
   /** Of all bodies, at each step of the world. */
   private final ClearanceJudge truth;
@@ -88,7 +92,18 @@ final class LiveFloor {
   /** The same with robots of a kind. */
   LiveFloor(Path folder, FloorMap floor, SimulatedFloor world, double speed, DriveKind kind)
       throws Exception {
-    this(folder, floor, world, speed, kind, null, _ -> Gateways.NONE);
+    this(folder, floor, world, speed, kind, UnaryOperator.identity(), null, _ -> Gateways.NONE);
+  }
+
+  /** The same with what else robots have. */
+  LiveFloor(
+      Path folder,
+      FloorMap floor,
+      SimulatedFloor world,
+      double speed,
+      UnaryOperator<SimulatedRobot> equipment)
+      throws Exception {
+    this(folder, floor, world, speed, DriveKind.OMNI, equipment, null, _ -> Gateways.NONE);
   }
 
   /**
@@ -103,7 +118,7 @@ final class LiveFloor {
       @Nullable String gateway,
       Function<SimulatedFleet, Gateways> gateways)
       throws Exception {
-    this(folder, floor, world, speed, DriveKind.OMNI, gateway, gateways);
+    this(folder, floor, world, speed, DriveKind.OMNI, UnaryOperator.identity(), gateway, gateways);
   }
 
   private LiveFloor(
@@ -112,6 +127,7 @@ final class LiveFloor {
       SimulatedFloor world,
       double speed,
       DriveKind kind,
+      UnaryOperator<SimulatedRobot> equipment,
       @Nullable String gateway,
       Function<SimulatedFleet, Gateways> gateways)
       throws Exception {
@@ -121,9 +137,12 @@ final class LiveFloor {
     parts.add(runtime);
     Database database = MemoryDatabase.open("live-" + System.nanoTime());
     parts.add(database);
-    JdbiFleetStore store = new JdbiFleetStore(database.jdbi());
+    jdbi = database.jdbi();
+    store = new JdbiFleetStore(jdbi);
     List<SimulatedRobot> bodies =
-        floor.parking().stream().map(parking -> body(floor, parking, kind)).toList();
+        floor.parking().stream()
+            .map(parking -> equipment.apply(body(floor, parking, kind)))
+            .toList();
     robots = SimulatedFleet.open(folder, bodies, world, clock);
     parts.add(robots);
     for (Place parking : floor.parking()) {

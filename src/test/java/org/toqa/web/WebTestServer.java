@@ -41,6 +41,7 @@ import org.toqa.camera.Cameras;
 import org.toqa.fleet.EventRecord;
 import org.toqa.fleet.SnapshotFeed;
 import org.toqa.fleet.history.SeenPlaces;
+import org.toqa.fleet.supervision.Supervisor;
 import org.toqa.lab.record.Laboratory;
 import org.toqa.network.DhcpSettings;
 import org.toqa.network.Network;
@@ -61,6 +62,7 @@ import org.toqa.store.JdbiSceneStore;
 import org.toqa.store.JdbiScheduleStore;
 import org.toqa.store.JdbiSessionStore;
 import org.toqa.store.JdbiStatisticsArchive;
+import org.toqa.store.JdbiSupervisionStore;
 import org.toqa.store.JdbiTelemetryStore;
 import org.toqa.store.JdbiTrackStore;
 import org.toqa.store.JdbiUtilisationStore;
@@ -95,6 +97,7 @@ public final class WebTestServer implements AutoCloseable {
           "lab_runs",
           "network_devices",
           "cameras",
+          "supervisions",
           "schedules",
           "tasks",
           "robots");
@@ -292,6 +295,12 @@ public final class WebTestServer implements AutoCloseable {
             tracks,
             scenes,
             schedules,
+            new Supervisor(
+                new JdbiSupervisionStore(jdbi),
+                fleet,
+                fleet,
+                InstantSource.system(),
+                InstantSource.system()),
             new JdbiStatisticsArchive(jdbi),
             seenPlaces,
             telemetry,

@@ -35,6 +35,7 @@ import org.toqa.fleet.history.TrackRecorder;
 import org.toqa.fleet.history.UtilisationRecorder;
 import org.toqa.fleet.manager.AgentFleet;
 import org.toqa.fleet.schedule.Scheduler;
+import org.toqa.fleet.supervision.Supervisor;
 import org.toqa.geometry.Pose;
 import org.toqa.grid.FloorMap;
 import org.toqa.lab.record.Laboratory;
@@ -69,6 +70,7 @@ import org.toqa.store.JdbiSessionStore;
 import org.toqa.store.JdbiSightingStore;
 import org.toqa.store.JdbiSiteStore;
 import org.toqa.store.JdbiStatisticsArchive;
+import org.toqa.store.JdbiSupervisionStore;
 import org.toqa.store.JdbiTaskTraces;
 import org.toqa.store.JdbiTelemetryStore;
 import org.toqa.store.JdbiTrackStore;
@@ -232,6 +234,12 @@ public final class FleetServer implements AutoCloseable {
     metrics.bindPassedOver(fleet::passedOver);
     Scheduler scheduler = new Scheduler(schedules, store, fleet, wallClock);
     parts.push(new PeriodicWork("schedules", SCHEDULE_PERIOD, scheduler::runDueSchedules));
+    Supervisor supervisor =
+        new Supervisor(new JdbiSupervisionStore(database.jdbi()), fleet, store, clock, wallClock);
+    supervisor.recover();
+    supervisor.begin();
+    parts.push(supervisor);
+    fleet.addWarning(supervisor::warning);
     JdbiTrackStore tracks = new JdbiTrackStore(database.jdbi());
     parts.push(new TrackRecorder(fleet.snapshots(), tracks));
     parts.push(new SceneRecorder(fleet.snapshots(), new JdbiSceneStore(database.jdbi())));
@@ -289,6 +297,7 @@ public final class FleetServer implements AutoCloseable {
             new JdbiTrackStore(database.readers()),
             new JdbiSceneStore(database.readers()),
             schedules,
+            supervisor,
             new JdbiStatisticsArchive(database.readers()),
             seenPlaces,
             telemetry,
@@ -489,6 +498,10 @@ public final class FleetServer implements AutoCloseable {
 
   public Fleet fleet() {
     return services.fleet();
+  }
+
+  public Supervisor supervisor() {
+    return services.supervisor();
   }
 
   /** Null: MQTT is not configured. */

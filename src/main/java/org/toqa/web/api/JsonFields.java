@@ -313,7 +313,7 @@ final class JsonFields implements Fields {
   }
 
   /** An object with coordinates. */
-  private Vec2 point(String name) {
+  Vec2 point(String name) {
     JsonFields point = object(name);
     Vec2 read =
         new Vec2(

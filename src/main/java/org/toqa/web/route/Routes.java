@@ -61,6 +61,7 @@ import org.toqa.web.api.SessionResource;
 import org.toqa.web.api.SitesResource;
 import org.toqa.web.api.StatisticsCsvResource;
 import org.toqa.web.api.StatisticsResource;
+import org.toqa.web.api.SupervisionResource;
 import org.toqa.web.api.TaskPreviewResource;
 import org.toqa.web.api.TaskResource;
 import org.toqa.web.api.TasksResource;
@@ -370,7 +371,10 @@ public final class Routes {
           post("/api/v1/floors/{floor}/seen/{id}/dismiss", MANAGE, SeenPlacesResource::dismiss),
           post("/api/v1/floors/{floor}/hold", OPERATE, FloorResource::hold).with(URGENT),
           post("/api/v1/floors/{floor}/resume", OPERATE, FloorResource::resume),
-          post("/api/v1/floors/{floor}/allocator", MANAGE, FloorResource::allocator));
+          post("/api/v1/floors/{floor}/allocator", MANAGE, FloorResource::allocator),
+          get("/api/v1/floors/{floor}/supervision", VIEW, SupervisionResource::get),
+          post("/api/v1/floors/{floor}/supervision", MANAGE, SupervisionResource::start),
+          post("/api/v1/floors/{floor}/supervision/stop", MANAGE, SupervisionResource::stop));
 
   private Routes() {}
 

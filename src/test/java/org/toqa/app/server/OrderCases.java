@@ -219,6 +219,11 @@ final class OrderCases {
             "{'allocator':'zones'}",
             Map.of("/allocator", REFUSED),
             200),
+        post( // of robots that have neither cameras nor arms
+            "floors/{floor}/supervision",
+            "{'supervisor':'r9','workers':['r8'],'boxes':[{'box':1,'target':{'x':1,'y':1}}]}",
+            Map.of("/supervisor", REFUSED, "/workers/0", REFUSED),
+            422),
         new OrderCase(
             "PUT", "users/{clerk}", json("{'role':'CLERK'}"), Map.of("/role", REFUSED), 200),
         post(

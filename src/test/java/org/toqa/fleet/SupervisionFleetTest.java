@@ -1,0 +1,200 @@
+package org.toqa.fleet;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertInstanceOf;
+import static org.junit.jupiter.api.Assertions.assertNull;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.nio.file.Path;
+import java.time.Duration;
+import java.time.InstantSource;
+import java.util.List;
+import java.util.Map;
+import java.util.Objects;
+import java.util.Optional;
+import java.util.Set;
+import java.util.concurrent.TimeUnit;
+import java.util.function.Predicate;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+import org.toqa.fleet.supervision.SupervisedBox;
+import org.toqa.fleet.supervision.Supervision;
+import org.toqa.fleet.supervision.SupervisionOrder;
+import org.toqa.fleet.supervision.Supervisor;
+import org.toqa.geometry.Vec2;
+import org.toqa.grid.FloorMap;
+import org.toqa.grid.OccupancyGrid;
+import org.toqa.grid.Place;
+import org.toqa.mission.TaskState;
+import org.toqa.sim.SimulatedBoxes;
+import org.toqa.sim.SimulatedBoxes.Placed;
+import org.toqa.sim.SimulatedFloor;
+import org.toqa.sim.SimulatedStore;
+import org.toqa.store.JdbiSupervisionStore;
+
+/** A supervisor and two workers, real daemons over simulated bodies in a world with boxes. */
+@Timeout(200)
+class SupervisionFleetTest {
+  private static final double SPEED = 40;
+  private static final double SIZE = 0.5;
+
+  /** Two rooms; nobody sees from one what lies in the other. */
+  private static final OccupancyGrid ROOMS =
+      OccupancyGrid.parse(
+          "......................",
+          "......................",
+          "......................",
+          ".........#............",
+          ".........#............",
+          ".........#............",
+          ".........#............",
+          ".........#............",
+          ".........#............",
+          ".........#............");
+
+  private static final Map<Integer, Vec2> TARGETS =
+      Map.of(1, new Vec2(1, 4.25), 2, new Vec2(2.25, 3.25));
+
+  private static final Vec2 LIGHT = new Vec2(9.75, 1.75);
+  private static final Vec2 HEAVY = new Vec2(7.75, 2.25);
+
+  @TempDir private Path folder;
+  private LiveFloor live;
+  private SimulatedBoxes boxes;
+  private Supervisor supervisor;
+
+  @BeforeEach
+  void open() throws Exception {
+    FloorMap floor =
+        new FloorMap(
+            "rooms",
+            new OccupancyGrid(ROOMS.width(), ROOMS.height(), SIZE, Vec2.ZERO, ROOMS.occupied()),
+            List.of(),
+            List.of(
+                new Place("P1", new Vec2(0.75, 0.75)),
+                new Place("P2", new Vec2(1.75, 0.75)),
+                new Place("P3", new Vec2(2.75, 0.75))),
+            List.of());
+    boxes = SimulatedBoxes.of(List.of(new Placed(1, LIGHT, 1.5), new Placed(2, HEAVY, 8)));
+    SimulatedFloor world = SimulatedFloor.of(floor);
+    world.putBoxes(boxes);
+    SimulatedStore equipment =
+        new SimulatedStore("rooms", Set.of("r1", "r2"), Set.of("r3"), 4, List.of());
+    live = new LiveFloor(folder, floor, world, SPEED, equipment::equipped);
+    supervisor = newSupervisor();
+    live.start();
+  }
+
+  /** As a server that begins: it knows what is stored. */
+  private Supervisor newSupervisor() {
+    return new Supervisor(
+        new JdbiSupervisionStore(live.jdbi),
+        live.fleet,
+        live.store,
+        live.clock,
+        InstantSource.system());
+  }
+
+  @AfterEach
+  void close() throws Exception {
+    supervisor.close();
+    live.close();
+  }
+
+  private Answer<Supervision> start(String worker) throws Exception {
+    return supervisor
+        .start(new SupervisionOrder("rooms", "r3", List.of("r1", worker), true, TARGETS), "Clara")
+        .toCompletableFuture()
+        .get(10, TimeUnit.SECONDS);
+  }
+
+  /** Lets the world go on, and the supervisor look, until it is so. */
+  private Supervision await(Predicate<Supervision> condition) throws InterruptedException {
+    while (!condition.test(now())) {
+      live.pass(Duration.ofMillis(500));
+      supervisor.look();
+    }
+    return now();
+  }
+
+  private Supervision now() {
+    return supervisor.latest("rooms").orElseThrow();
+  }
+
+  private SupervisedBox box(int number) {
+    return Objects.requireNonNull(now().boxes().get(number));
+  }
+
+  private List<TaskView> tasksOf(int number) {
+    return live.store.tasks(0, 100).stream()
+        .filter(task -> task.task().name().equals("Box " + number))
+        .toList();
+  }
+
+  private void assertAtTarget(int number) {
+    Optional<Vec2> place = boxes.placeOf(number);
+    assertTrue(
+        place.filter(p -> p.distanceTo(TARGETS.get(number)) < 0.3).isPresent(), place::toString);
+  }
+
+  @Test
+  void boxesAreFoundWeighedAndCarriedAndOneThatIsTooHeavyByTwo() throws Exception {
+    assertInstanceOf(Answer.Accepted.class, start("r2"));
+    supervisor.look();
+    assertNull(box(1).place(), "it has not seen the other room");
+    await(s -> box(2).weight() != null);
+    assertEquals(8, box(2).weight(), 0.01);
+
+    supervisor.close();
+    supervisor = newSupervisor(); // the server was killed
+    supervisor.recover();
+    Supervision done = await(s -> !s.isRunning());
+
+    assertEquals(Supervision.State.DONE, done.state());
+    assertAtTarget(1);
+    assertAtTarget(2);
+    assertEquals(1, tasksOf(1).size(), "it was carried once");
+    assertEquals(1.5, box(1).weight(), 0.01);
+    List<TaskView> heavy = tasksOf(2); // the newest first
+    assertEquals(2, heavy.size());
+    assertEquals(8, heavy.getFirst().task().load(), 0.01);
+    assertEquals(Set.of("r1", "r2"), Set.copyOf(heavy.getFirst().robots()));
+    assertEquals(TaskState.CANCELLED, heavy.getLast().state());
+    assertTrue(done.idleSecondsPerBox().orElseThrow() > 0);
+  }
+
+  @Test
+  void blindCamerasFindNothingAndAPersonIsAsked() throws Exception {
+    assertInstanceOf(Answer.Rejected.class, start("r3"), "the supervisor is no worker");
+    live.world.setCameraBlind("r3", true);
+    live.await(
+        view ->
+            view.robots().stream()
+                .allMatch(robot -> robot.telemetry().readings().camera() == null));
+    assertInstanceOf(Answer.Rejected.class, start("r2"), "it sees nothing");
+    live.world.setCameraBlind("r3", false);
+    live.pass(Duration.ofSeconds(1));
+    assertInstanceOf(Answer.Accepted.class, start("r2"));
+    assertInstanceOf(Answer.Conflict.class, start("r2"), "one at a time");
+    live.world.setCameraBlind("r3", true);
+    live.pass(Duration.ofSeconds(1));
+    for (int i = 0; i < 20; i++) {
+      live.pass(Duration.ofSeconds(1));
+      supervisor.look();
+    }
+    assertNull(box(1).place());
+    assertTrue(
+        supervisor.warning("rooms").orElseThrow().english().contains("its camera sees nothing"));
+    live.world.setCameraBlind("r3", false);
+    await(s -> box(1).place() != null);
+    assertTrue(supervisor.warning("rooms").isEmpty());
+    Answer<Supervision> stopped =
+        supervisor.stop("rooms", "Max").toCompletableFuture().get(10, TimeUnit.SECONDS);
+    assertInstanceOf(Answer.Accepted.class, stopped);
+    assertTrue(
+        tasksOf(1).stream().noneMatch(task -> task.state() == TaskState.QUEUED), "none waits on");
+  }
+}
