@@ -34,6 +34,7 @@ public final class DemoCommand implements Callable<Integer> {
   private static final String USER = "demo";
   private static final String USUAL = "usual";
   private static final String BUILDING = "building";
+  private static final String STORE = "store";
 
   /** Percent, robot by robot: the third one has to charge soon. */
   private static final String BATTERIES = "100,100,22,100";
@@ -66,7 +67,8 @@ public final class DemoCommand implements Callable<Integer> {
       paramLabel = "NAME",
       description =
           "usual: simulated robots on four floors. building: one robot with two wheels on each of"
-              + " three floors, over HTTP and MQTT (default: usual).")
+              + " three floors, over HTTP and MQTT. store: a supervisor with cameras and two workers"
+              + " with arms carry ten boxes (default: usual).")
   private String scenario = USUAL;
 
   @Mixin private SpeedOption speed = new SpeedOption();
@@ -89,6 +91,10 @@ public final class DemoCommand implements Callable<Integer> {
 
   private boolean isBuilding() {
     return scenario.equals(BUILDING);
+  }
+
+  private boolean isStore() {
+    return scenario.equals(STORE);
   }
 
   @Override
@@ -150,6 +156,9 @@ public final class DemoCommand implements Callable<Integer> {
     System.err.println("  Ctrl-C ends everything; nothing is kept.");
     System.err.println();
     DemoTasks tasks = new DemoTasks(toqa.fleet(), toqa.fleetClock());
+    if (isStore()) {
+      return runStore(toqa, tasks, stop);
+    }
     tasks.submit(isBuilding() ? BuildingScenario.orders() : DemoTasks.orders(robots), USER);
     if (once) {
       boolean isDone = tasks.awaitEnd(stop, System.err::println);
@@ -165,6 +174,22 @@ public final class DemoCommand implements Callable<Integer> {
     return 0;
   }
 
+  private int runStore(FleetServer toqa, DemoTasks tasks, StopSignal stop) throws Exception {
+    StoreScenario.begin(toqa, USER);
+    tasks.awaitEnd(stop, System.err::println, () -> StoreScenario.isOver(toqa));
+    System.err.println();
+    System.err.print(tasks.table());
+    System.err.print(StoreScenario.summary(toqa));
+    if (!once) {
+      stop.await();
+      return 0;
+    }
+    if (report != null) {
+      Files.writeString(report, tasks.json());
+    }
+    return StoreScenario.isDone(toqa) ? ExitCode.OK : ExitCode.SOFTWARE;
+  }
+
   private SettingSource settings(Path data) throws IOException {
     Map<Setting, @Nullable String> options = new EnumMap<>(Setting.class);
     if (isBuilding()) {
@@ -172,13 +197,21 @@ public final class DemoCommand implements Callable<Integer> {
       options.put(Setting.MQTT_BROKER, "embedded");
       options.put(Setting.MQTT_PORT, "0");
       options.put(Setting.MQTT_PLAIN, "true");
+    } else if (isStore()) {
+      options.put(Setting.MAP, StoreScenario.map(data.resolve("maps")));
+      options.put(Setting.SIMULATE, StoreScenario.ROBOTS);
+      options.put(Setting.SIMULATE_BATTERIES, StoreScenario.BATTERIES);
+      options.put(Setting.CHARGING_UNTIL, StoreScenario.CHARGE_UNTIL);
+      options.put(Setting.SIMULATE_BOXES, StoreScenario.boxes(data.resolve("maps")));
     } else {
       options.put(Setting.MAP, WebappFolder.shippedMaps());
       options.put(Setting.SIMULATE, robots + "," + DemoTasks.ROBOTS_ELSEWHERE);
       options.put(Setting.SIMULATE_BATTERIES, BATTERIES);
     }
     options.put(Setting.MANAGER, USER + ":" + PASSWORD);
-    options.put(Setting.ALLOCATOR, "zones"); // by the load, as Tanta does
+    if (!isStore()) {
+      options.put(Setting.ALLOCATOR, "zones"); // by the load, as Tanta does
+    }
     options.put(Setting.LOG_LEVEL, "WARN");
     options.put(Setting.DATA, data.toString());
     options.put(Setting.FIRMWARE, firmware ? System.getProperty(FIRMWARE_FOLDER) : null);
@@ -200,9 +233,9 @@ public final class DemoCommand implements Callable<Integer> {
 
   /** Its robots are no part of the simulated world: they live by the machine's clock. */
   private void checkScenario() throws ConfigurationException {
-    if (!scenario.equals(USUAL) && !isBuilding()) {
+    if (!scenario.equals(USUAL) && !isBuilding() && !isStore()) {
       throw new ConfigurationException(
-          "--scenario \"" + scenario + "\": it must be usual or building.");
+          "--scenario \"" + scenario + "\": it must be usual, building or store.");
     }
     boolean isWithSimulation = speed.value() != null || firmware || bodies != null;
     if (isBuilding() && isWithSimulation) {

@@ -9,6 +9,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.concurrent.TimeUnit;
+import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
 import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
@@ -146,6 +147,25 @@ final class DemoTasks {
       snapshot.tasks().forEach(task -> reportChange(task, reporter));
     }
     return progressByTask.values().stream().allMatch(r -> r.task.state() == TaskState.DONE);
+  }
+
+  /**
+   * Reports every change of all tasks, also of those that come meanwhile, until it is over or the
+   * process is asked to stop.
+   *
+   * @param reporter gets a line for each change
+   */
+  void awaitEnd(StopSignal stop, Consumer<String> reporter, BooleanSupplier isOver)
+      throws InterruptedException {
+    long version = -1;
+    while (!stop.isRequested() && !isOver.getAsBoolean()) {
+      FleetSnapshot snapshot = fleet.snapshots().awaitNewer(version, POLL_PERIOD);
+      version = snapshot.version();
+      for (TaskView task : snapshot.tasks().reversed()) { // the oldest first
+        progressByTask.computeIfAbsent(task.id(), _ -> new Progress(task, clock.instant()));
+        reportChange(task, reporter);
+      }
+    }
   }
 
   private void reportChange(TaskView task, Consumer<String> reporter) {
