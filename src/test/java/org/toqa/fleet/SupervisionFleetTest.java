@@ -137,7 +137,7 @@ class SupervisionFleetTest {
   private void assertAtTarget(int number) {
     Optional<Vec2> place = boxes.placeOf(number);
     assertTrue(
-        place.filter(p -> p.distanceTo(TARGETS.get(number)) < 0.3).isPresent(), place::toString);
+        place.filter(p -> p.distanceTo(Objects.requireNonNull(TARGETS.get(number))) < 0.3).isPresent(), place::toString);
   }
 
   @Test
@@ -146,7 +146,7 @@ class SupervisionFleetTest {
     supervisor.look();
     assertNull(box(1).place(), "it has not seen the other room");
     await(s -> box(2).weight() != null);
-    assertEquals(8, box(2).weight(), 0.01);
+    assertEquals(8, Objects.requireNonNull(box(2).weight()), 0.01);
 
     supervisor.close();
     supervisor = newSupervisor(); // the server was killed
@@ -157,7 +157,7 @@ class SupervisionFleetTest {
     assertAtTarget(1);
     assertAtTarget(2);
     assertEquals(1, tasksOf(1).size(), "it was carried once");
-    assertEquals(1.5, box(1).weight(), 0.01);
+    assertEquals(1.5, Objects.requireNonNull(box(1).weight()), 0.01);
     List<TaskView> heavy = tasksOf(2); // the newest first
     assertEquals(2, heavy.size());
     assertEquals(8, heavy.getFirst().task().load(), 0.01);

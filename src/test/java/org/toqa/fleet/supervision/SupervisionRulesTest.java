@@ -141,9 +141,7 @@ class SupervisionRulesTest {
   @Test
   void workerThatIsLostWithTheBoxInItsArmLeavesItToAPerson() {
     TaskView asking =
-        task(
-            TaskState.CARRYING,
-            question(Question.Kind.ON_BOARD, Phrase.IS_NOT_HEARD_OF.with()));
+        task(TaskState.CARRYING, question(Question.Kind.ON_BOARD, Phrase.IS_NOT_HEARD_OF.with()));
     SupervisionRules.Step step =
         look(begun(true, ordered()), picture(RobotState.IDLE, List.of(), asking));
     assertEquals(7, box(step).task(), "it is ordered nothing else");
@@ -161,9 +159,7 @@ class SupervisionRulesTest {
     assertTrue(cancelled.isMissing());
     assertNull(box(cancelled).place());
     SupervisionRules.Step found =
-        look(
-            cancelled.next(),
-            picture(RobotState.IDLE, List.of(new SeenBox(1, ELSEWHERE)), null));
+        look(cancelled.next(), picture(RobotState.IDLE, List.of(new SeenBox(1, ELSEWHERE)), null));
     assertEquals(ELSEWHERE, box(found).place());
     assertEquals(1, found.toOrder().getFirst().tries(), "with another key");
   }
@@ -180,9 +176,7 @@ class SupervisionRulesTest {
     assertEquals(List.of(7L), weighed.toGiveBack());
     assertEquals(List.of(), weighed.toOrder(), "it has its task still");
     SupervisionRules.Step givenBack =
-        look(
-            weighed.next(),
-            picture(RobotState.IDLE, List.of(), task(TaskState.CANCELLED, null)));
+        look(weighed.next(), picture(RobotState.IDLE, List.of(), task(TaskState.CANCELLED, null)));
     assertFalse(givenBack.isMissing());
     assertTrue(rules.isForTwo(givenBack.toOrder().getFirst()));
     assertEquals(PLACE, box(givenBack).place());
@@ -203,8 +197,7 @@ class SupervisionRulesTest {
   @Test
   void withoutOverlapNothingIsOrderedWhileABoxIsCarried() {
     SupervisedBox second = SupervisedBox.unseen(2, TARGET).seenAt(ELSEWHERE);
-    FleetSnapshot carrying =
-        picture(RobotState.IDLE, List.of(), task(TaskState.CARRYING, null));
+    FleetSnapshot carrying = picture(RobotState.IDLE, List.of(), task(TaskState.CARRYING, null));
     assertEquals(List.of(second), look(begun(true, ordered(), second), carrying).toOrder());
     assertEquals(List.of(), look(begun(false, ordered(), second), carrying).toOrder());
   }
@@ -227,8 +220,7 @@ class SupervisionRulesTest {
   void boxThatIsSeenAtItsTargetIsDone() {
     SupervisionRules.Step step =
         look(
-            begun(true, unseen()),
-            picture(RobotState.IDLE, List.of(new SeenBox(1, TARGET)), null));
+            begun(true, unseen()), picture(RobotState.IDLE, List.of(new SeenBox(1, TARGET)), null));
     assertTrue(box(step).delivered());
   }
 }
