@@ -137,7 +137,10 @@ class SupervisionFleetTest {
   private void assertAtTarget(int number) {
     Optional<Vec2> place = boxes.placeOf(number);
     assertTrue(
-        place.filter(p -> p.distanceTo(Objects.requireNonNull(TARGETS.get(number))) < 0.3).isPresent(), place::toString);
+        place
+            .filter(p -> p.distanceTo(Objects.requireNonNull(TARGETS.get(number))) < 0.3)
+            .isPresent(),
+        place::toString);
   }
 
   @Test

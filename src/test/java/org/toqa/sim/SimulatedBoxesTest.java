@@ -84,6 +84,8 @@ class SimulatedBoxesTest {
         SimulatedStore.read(file));
     Files.writeString(file, "floor: store\nboxs: []\n");
     IOException wrong = assertThrows(IOException.class, () -> SimulatedStore.read(file));
-    assertTrue(String.valueOf(wrong.getMessage()).startsWith(file + ": \"boxs\" is not known"), wrong::toString);
+    assertTrue(
+        String.valueOf(wrong.getMessage()).startsWith(file + ": \"boxs\" is not known"),
+        wrong::toString);
   }
 }
