@@ -14,6 +14,7 @@ import org.toqa.app.server.WebappFolder;
 import org.toqa.fleet.Answer;
 import org.toqa.fleet.FleetSnapshot;
 import org.toqa.fleet.RobotState;
+import org.toqa.fleet.RobotView;
 import org.toqa.fleet.supervision.Supervision;
 import org.toqa.fleet.supervision.SupervisionOrder;
 import org.toqa.geometry.Vec2;
@@ -133,14 +134,24 @@ final class StoreScenario {
   private static void awaitRobots(FleetServer toqa) throws InterruptedException {
     long end = System.nanoTime() + TimeUnit.SECONDS.toNanos(READY_SECONDS);
     FleetSnapshot snapshot = toqa.fleet().snapshots().latest();
-    while (snapshot.robots().isEmpty()
-        || !snapshot.robots().stream()
-            .allMatch(robot -> robot.state().kind() == RobotState.Kind.OPERATIONAL)) {
+    while (!areReady(snapshot)) {
       if (System.nanoTime() > end) {
         throw new IllegalStateException("The robots are not ready: " + snapshot.robots());
       }
       snapshot = toqa.fleet().snapshots().awaitNewer(snapshot.version(), Duration.ofMillis(250));
     }
+  }
+
+  /** Whether all work, and the supervisor has told what its cameras see. */
+  private static boolean areReady(FleetSnapshot snapshot) {
+    List<RobotView> robots = snapshot.robots();
+    return robots.stream()
+            .anyMatch(
+                robot ->
+                    robot.name().equals(SUPERVISOR)
+                        && robot.telemetry().readings().camera() != null)
+        && robots.stream()
+            .allMatch(robot -> robot.state().kind() == RobotState.Kind.OPERATIONAL);
   }
 
   /** Whether it has ended. */
