@@ -18,6 +18,9 @@ import tools.jackson.databind.json.JsonMapper;
 
 @Execution(ExecutionMode.CONCURRENT)
 class DemoIT {
+  /** Whether the scenario of the store runs too: it takes a minute. */
+  private static final boolean IS_WHOLE = "whole".equals(System.getProperty("toqa.walk"));
+
   @TempDir private Path folder;
 
   @Test
@@ -49,12 +52,27 @@ class DemoIT {
     for (JsonNode task : tasks) {
       assertTrue(task.get("seconds").asDouble() > 0, task.toString());
     }
+    if (IS_WHOLE) {
+      assertTenBoxesAreBroughtToTheirTargets();
+    }
   }
 
   /** Parts that fail are started again: the tasks alone do not show it. */
   private static void assertNoFailure(ToqaProcess demo) throws InterruptedException {
     List<String> failures = demo.err().stream().filter(line -> line.contains(" ERROR ")).toList();
     assertEquals(List.of(), failures);
+  }
+
+  /** A supervisor and two workers. */
+  private void assertTenBoxesAreBroughtToTheirTargets() throws Exception {
+    try (ToqaProcess demo =
+        ToqaProcess.toqa(
+            folder, "demo", "--scenario", "store", "--once", "--speed", "40", "--port", "0")) {
+      assertEquals(0, demo.exitCode(), "it did not come to its end");
+      assertNoFailure(demo);
+      assertTrue(
+          demo.err().stream().anyMatch(line -> line.contains("10 boxes of 10 at their targets")));
+    }
   }
 
   /** All demo tasks, each by as many robots as its load needs. */
