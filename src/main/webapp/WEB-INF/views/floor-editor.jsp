@@ -31,7 +31,7 @@
     <noscript><p class="notice bad"><fmt:message key="editor.noscript"/></p></noscript>
     <p id="load-failed" class="notice bad" role="alert" hidden><fmt:message key="map.failed"/></p>
     <div class="drawing-tools" role="toolbar" aria-label="${toolsLabel}">
-      <c:forTokens items="select,wall,line,rectangle,erase,eraseRectangle,keepOut,speedLimits,oneWay,stations,parking,charging,measure" delims="," var="tool">
+      <c:forTokens items="select,wall,line,rectangle,erase,eraseRectangle,keepOut,speedLimits,oneWay,freeZones,stations,parking,charging,measure" delims="," var="tool">
         <c:set var="icon" value="${tool == 'stations' ? 'legend-station' : tool == 'parking' or tool == 'charging' ? 'legend-'.concat(tool) : tool == 'measure' ? tool : 'tool-'.concat(tool)}"/>
         <button type="button" data-tool="${tool}" aria-pressed="false"><t:icon name="${icon}"/><span><fmt:message key="editor.tool.${tool}"/></span></button>
       </c:forTokens>
@@ -146,6 +146,6 @@
     </article>
   </dialog>
   <c:set var="kinds" value=""/>
-  <c:forTokens items="stations,parking,charging,keepOut,speedLimits,oneWay" delims="," var="kind"><c:set var="kinds" value="${kinds} editor.kind.${kind}"/></c:forTokens>
+  <c:forTokens items="stations,parking,charging,keepOut,speedLimits,oneWay,freeZones" delims="," var="kind"><c:set var="kinds" value="${kinds} editor.kind.${kind}"/></c:forTokens>
   <t:texts keys="map.loggedOut common.comma editor.away editor.unsaved editor.state.none editor.state.saved editor.state.saving editor.state.conflict editor.said.walls editor.said.free editor.said.moved editor.said.measured editor.said.selected editor.said.added editor.said.removed editor.said.undo editor.said.redo editor.said.begun editor.said.cancelled map.speedLimit editor.error.number editor.error.name editor.error.nameTwice editor.checking editor.noProblems editor.problems.count editor.problem.blocking editor.problem.warning editor.publish.unsaved editor.published editor.discarded editor.changes editor.changes.none editor.changes.otherGrid editor.changes.moves editor.said.moves editor.moves.heading editor.moves.smooth editor.change.added editor.change.removed editor.change.changed editor.import.choose editor.import.reading editor.import.done editor.resize.wrong editor.resize.done editor.newName.stations editor.newName.parking editor.newName.charging editor.describe.place editor.describe.area editor.cell editor.cell.wall editor.cell.free editor.size loads.size common.position editor.conflict.changed editor.conflict.gone editor.conflict.loaded editor.conflict.kept${kinds}"/>
 </t:page>

@@ -6,16 +6,18 @@ import org.toqa.geometry.Pose;
 import org.toqa.geometry.Vec2;
 
 /**
- * The three forward range sensors of a round robot (PSD, 0.10 to 0.80 m: Tanta, "The robot").
+ * The range sensors of a round robot (PSD, 0.10 to 0.80 m: Tanta, "The robot"): three that look
+ * forward, or any others.
  *
  * <p>Where they look is not published. Here all three sit at the foremost point of the rim, and the
  * outer ones look 20 degrees aside: while the robot comes nearer to something from 0.8 to 0.15 m,
  * an outer beam sweeps from beyond the robot's width to 0.05 m beside its middle. What is wider
  * than that hides from none of them, and what it shall drive past is seen before it must stop.
  *
- * @param radius of the robot, metres
+ * @param beams where each sensor is and looks, metres and radians in the robot's frame, from right
+ *     to left
  */
-public record RangeSensors(double radius) {
+public record RangeSensors(List<Pose> beams) {
 
   /** Metres; what is nearer reads as this. */
   public static final double NEAREST = 0.10;
@@ -33,11 +35,17 @@ public record RangeSensors(double radius) {
   /** Radians from the robot's heading, from right to left. */
   private static final List<Double> DIRECTIONS = List.of(-ASIDE, 0.0, ASIDE);
 
+  public RangeSensors {
+    beams = List.copyOf(beams);
+  }
+
   /**
-   * Where each sensor is and looks, metres and radians in the robot's frame, from right to left.
+   * The three that look forward.
+   *
+   * @param radius of the robot, metres
    */
-  public List<Pose> beams() {
-    return DIRECTIONS.stream().map(direction -> new Pose(radius, 0, direction)).toList();
+  public RangeSensors(double radius) {
+    this(DIRECTIONS.stream().map(direction -> new Pose(radius, 0, direction)).toList());
   }
 
   /**
@@ -47,8 +55,8 @@ public record RangeSensors(double radius) {
    * @param robot where it is; the point is in the same frame
    */
   public boolean areThrough(List<Double> ranges, Pose robot, Vec2 point) {
-    for (int i = 0; i < Math.min(ranges.size(), DIRECTIONS.size()); i++) {
-      Pose beam = robot.compose(new Pose(radius, 0, DIRECTIONS.get(i)));
+    for (int i = 0; i < Math.min(ranges.size(), beams.size()); i++) {
+      Pose beam = robot.compose(beams.get(i));
       Vec2 seen = point.minus(beam.position()).rotated(-beam.theta());
       if (seen.x() > NEAREST && seen.x() < ranges.get(i) - BEHIND && Math.abs(seen.y()) < BESIDE) {
         return true;
@@ -65,11 +73,10 @@ public record RangeSensors(double radius) {
    */
   public List<Vec2> detections(List<Double> ranges, Pose robot) {
     List<Vec2> points = new ArrayList<>();
-    for (int i = 0; i < Math.min(ranges.size(), DIRECTIONS.size()); i++) {
+    for (int i = 0; i < Math.min(ranges.size(), beams.size()); i++) {
       double range = ranges.get(i);
       if (range < FARTHEST) {
-        Pose beam = robot.compose(new Pose(radius, 0, DIRECTIONS.get(i)));
-        points.add(beam.compose(new Pose(range, 0, 0)).position());
+        points.add(robot.compose(beams.get(i)).compose(new Pose(range, 0, 0)).position());
       }
     }
     return points;

@@ -14,6 +14,7 @@ import org.toqa.motion.DriveSpeeds;
  * @param kind how it can move
  * @param track metres between its two wheels; 0: it has others, or nobody knows
  * @param arm null: it has none, or it is not known
+ * @param findsOwnWay whether it finds its own way through free zones
  */
 public record RobotCapabilities(
     double footprint,
@@ -22,7 +23,20 @@ public record RobotCapabilities(
     double sensorRange,
     DriveKind kind,
     double track,
-    @Nullable Arm arm) {
+    @Nullable Arm arm,
+    boolean findsOwnWay) {
+
+  /** Of a robot that follows its path through free zones too. */
+  public RobotCapabilities(
+      double footprint,
+      DriveSpeeds speeds,
+      double maxLoad,
+      double sensorRange,
+      DriveKind kind,
+      double track,
+      @Nullable Arm arm) {
+    this(footprint, speeds, maxLoad, sensorRange, kind, track, arm, false);
+  }
 
   /** Of a robot without an arm. */
   public RobotCapabilities(
@@ -51,11 +65,13 @@ public record RobotCapabilities(
   }
 
   public RobotCapabilities withFootprint(double diameter) {
-    return new RobotCapabilities(diameter, speeds, maxLoad, sensorRange, kind, track, arm);
+    return new RobotCapabilities(
+        diameter, speeds, maxLoad, sensorRange, kind, track, arm, findsOwnWay);
   }
 
   public RobotCapabilities withMaxLoad(double kilograms) {
-    return new RobotCapabilities(footprint, speeds, kilograms, sensorRange, kind, track, arm);
+    return new RobotCapabilities(
+        footprint, speeds, kilograms, sensorRange, kind, track, arm, findsOwnWay);
   }
 
   /** Whether the robot has ever said what it carries: whether it was ever connected. */

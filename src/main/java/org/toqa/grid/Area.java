@@ -40,6 +40,19 @@ public record Area(Vec2 low, double width, double height) {
     return cells;
   }
 
+  /** Whether a point is in it, metres. */
+  public boolean contains(Vec2 point) {
+    return contains(point, 0);
+  }
+
+  /** Whether they have more than a border in common. */
+  public boolean overlaps(Area other) {
+    return low.x() < other.high().x()
+        && other.low.x() < high().x()
+        && low.y() < other.high().y()
+        && other.low.y() < high().y();
+  }
+
   /** Whether a point is in it and so far from its border, metres. */
   boolean contains(Vec2 point, double inset) {
     return point.x() > low.x() + inset

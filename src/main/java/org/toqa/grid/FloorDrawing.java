@@ -9,6 +9,7 @@ import java.util.stream.Stream;
  *
  * @param walls occupied where a wall or something else stands that never moves
  * @param keepOut where nobody drives
+ * @param freeZones that are given to one robot as a whole, which finds its own way there if it can
  * @param moves by which robots drive alone
  */
 public record FloorDrawing(
@@ -19,6 +20,7 @@ public record FloorDrawing(
     List<Area> keepOut,
     List<SpeedLimit> speedLimits,
     List<OneWay> oneWay,
+    List<Area> freeZones,
     Moves moves) {
 
   public FloorDrawing {
@@ -28,6 +30,20 @@ public record FloorDrawing(
     keepOut = List.copyOf(keepOut);
     speedLimits = List.copyOf(speedLimits);
     oneWay = List.copyOf(oneWay);
+    freeZones = List.copyOf(freeZones);
+  }
+
+  /** Without free zones. */
+  public FloorDrawing(
+      OccupancyGrid walls,
+      List<Place> stations,
+      List<Place> parking,
+      List<Place> charging,
+      List<Area> keepOut,
+      List<SpeedLimit> speedLimits,
+      List<OneWay> oneWay,
+      Moves moves) {
+    this(walls, stations, parking, charging, keepOut, speedLimits, oneWay, List.of(), moves);
   }
 
   /** With the usual moves. */
@@ -50,16 +66,22 @@ public record FloorDrawing(
 
   public FloorDrawing withWalls(OccupancyGrid others) {
     return new FloorDrawing(
-        others, stations, parking, charging, keepOut, speedLimits, oneWay, moves);
+        others, stations, parking, charging, keepOut, speedLimits, oneWay, freeZones, moves);
   }
 
   public FloorDrawing withStations(List<Place> others) {
-    return new FloorDrawing(walls, others, parking, charging, keepOut, speedLimits, oneWay, moves);
+    return new FloorDrawing(
+        walls, others, parking, charging, keepOut, speedLimits, oneWay, freeZones, moves);
   }
 
   public FloorDrawing withMoves(Moves others) {
     return new FloorDrawing(
-        walls, stations, parking, charging, keepOut, speedLimits, oneWay, others);
+        walls, stations, parking, charging, keepOut, speedLimits, oneWay, freeZones, others);
+  }
+
+  public FloorDrawing withFreeZones(List<Area> others) {
+    return new FloorDrawing(
+        walls, stations, parking, charging, keepOut, speedLimits, oneWay, others, moves);
   }
 
   /** The stations, then the parking points, then the charging points. */

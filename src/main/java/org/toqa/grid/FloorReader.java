@@ -25,6 +25,8 @@ import org.toqa.geometry.Vec2;
  *   - {x: 3.0, y: 5.0, width: 1.2, height: 0.6, speed: 0.2}
  * oneWay:                         # east, north, west or south
  *   - {x: 3.0, y: 6.0, width: 1.2, height: 0.6, direction: east}
+ * freeZones:                      # given to one robot as a whole
+ *   - {x: 3.0, y: 7.0, width: 2.4, height: 2.4}
  * moves: smooth                   # or heading, as where nothing is said
  * </pre>
  */
@@ -36,6 +38,7 @@ public final class FloorReader {
   static final String KEEP_OUT = "keepOut";
   static final String SPEED_LIMITS = "speedLimits";
   static final String ONE_WAY = "oneWay";
+  static final String FREE_ZONES = "freeZones";
   static final String MOVES = "moves";
 
   private FloorReader() {}
@@ -84,7 +87,9 @@ public final class FloorReader {
       throws MapFormatException {
     YamlFields yaml =
         YamlFields.read(
-            file, List.of(STATIONS, PARKING, CHARGING, KEEP_OUT, SPEED_LIMITS, ONE_WAY, MOVES));
+            file,
+            List.of(
+                STATIONS, PARKING, CHARGING, KEEP_OUT, SPEED_LIMITS, ONE_WAY, FREE_ZONES, MOVES));
     List<Area> keepOut = new ArrayList<>();
     for (YamlFields zone : items(yaml, KEEP_OUT)) {
       keepOut.add(area(zone));
@@ -96,6 +101,10 @@ public final class FloorReader {
     List<OneWay> oneWay = new ArrayList<>();
     for (YamlFields zone : items(yaml, ONE_WAY, "direction")) {
       oneWay.add(new OneWay(area(zone), direction(zone, "direction")));
+    }
+    List<Area> freeZones = new ArrayList<>();
+    for (YamlFields zone : items(yaml, FREE_ZONES)) {
+      freeZones.add(area(zone));
     }
     @Nullable OccupancyGrid drivable =
         checksPlaces
@@ -112,6 +121,7 @@ public final class FloorReader {
         keepOut,
         speedLimits,
         oneWay,
+        freeZones,
         moves(yaml));
   }
 

@@ -94,6 +94,7 @@ public final class FloorWriter {
         FloorReader.ONE_WAY,
         drawing.oneWay(),
         oneWay -> area(oneWay.area()) + ", direction: " + oneWay.direction().word());
+    list(yaml, FloorReader.FREE_ZONES, drawing.freeZones(), FloorWriter::area);
     if (drawing.moves() != Moves.HEADING) {
       yaml.append(FloorReader.MOVES).append(": ").append(drawing.moves().word()).append('\n');
     }

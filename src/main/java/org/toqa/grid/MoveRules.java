@@ -2,6 +2,7 @@ package org.toqa.grid;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Objects;
 import org.toqa.geometry.Vec2;
 
 /**
@@ -34,15 +35,29 @@ public final class MoveRules {
   private final List<OneWay> oneWay;
   private final List<OneWay> approaches;
   private final List<SpeedLimit> speedLimits;
+  private final List<Area> freeZones;
 
   /**
    * @param oneWay areas in which nobody moves against a direction
    * @param approaches areas that are entered in a direction, and left in any
    */
   public MoveRules(List<OneWay> oneWay, List<OneWay> approaches, List<SpeedLimit> speedLimits) {
+    this(oneWay, approaches, speedLimits, List.of());
+  }
+
+  /**
+   * The same with areas that are given to one robot as a whole, which finds its own way there if it
+   * can.
+   */
+  public MoveRules(
+      List<OneWay> oneWay,
+      List<OneWay> approaches,
+      List<SpeedLimit> speedLimits,
+      List<Area> freeZones) {
     this.oneWay = List.copyOf(oneWay);
     this.approaches = List.copyOf(approaches);
     this.speedLimits = List.copyOf(speedLimits);
+    this.freeZones = List.copyOf(freeZones);
   }
 
   /** Those of a floor: its areas, and the cells of its places that have an approach. */
@@ -59,7 +74,7 @@ public final class MoveRules {
               Area cell = new Area(middle.minus(new Vec2(side / 2, side / 2)), side, side);
               approaches.add(new OneWay(cell, place.approach()));
             });
-    return new MoveRules(drawing.oneWay(), approaches, drawing.speedLimits());
+    return new MoveRules(drawing.oneWay(), approaches, drawing.speedLimits(), drawing.freeZones());
   }
 
   public boolean isNone() {
@@ -149,6 +164,11 @@ public final class MoveRules {
     return speedLimits;
   }
 
+  /** Areas that are given to one robot as a whole, which finds its own way there if it can. */
+  public List<Area> freeZones() {
+    return freeZones;
+  }
+
   private static double dot(Vec2 a, Vec2 b) {
     return a.x() * b.x() + a.y() * b.y();
   }
@@ -159,11 +179,12 @@ public final class MoveRules {
         || (other instanceof MoveRules that
             && oneWay.equals(that.oneWay)
             && approaches.equals(that.approaches)
-            && speedLimits.equals(that.speedLimits));
+            && speedLimits.equals(that.speedLimits)
+            && freeZones.equals(that.freeZones));
   }
 
   @Override
   public int hashCode() {
-    return 31 * (31 * oneWay.hashCode() + approaches.hashCode()) + speedLimits.hashCode();
+    return Objects.hash(oneWay, approaches, speedLimits, freeZones);
   }
 }

@@ -249,7 +249,8 @@ public final class SimulatedFleet implements AutoCloseable {
             LIMITS,
             AgentConfig.Following.of(robot.kind()),
             createBody(folder, robot, floor),
-            robot.arm());
+            robot.arm(),
+            robot.avoidance());
     Daemon daemon = Daemon.open(config, clock, clock.nanos());
     SimulatedDaemon inhabitant =
         new SimulatedDaemon(daemon, new TickSchedule(daemon, clock.nanos()));

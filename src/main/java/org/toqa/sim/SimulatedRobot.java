@@ -3,6 +3,7 @@ package org.toqa.sim;
 import java.nio.file.Path;
 import org.jspecify.annotations.Nullable;
 import org.toqa.agent.config.ArmConfig;
+import org.toqa.agent.config.Avoidance;
 import org.toqa.geometry.Pose;
 import org.toqa.motion.DriveKind;
 
@@ -17,6 +18,7 @@ import org.toqa.motion.DriveKind;
  *     microcontroller; null: its body is simulated as a whole
  * @param arm null: it has none
  * @param cameraRange metres that its cameras see; 0: it has none
+ * @param avoidance how it gets round what it sees
  */
 public record SimulatedRobot(
     String name,
@@ -26,7 +28,8 @@ public record SimulatedRobot(
     DriveKind kind,
     @Nullable Path firmware,
     @Nullable ArmConfig arm,
-    double cameraRange) {
+    double cameraRange,
+    Avoidance avoidance) {
 
   /** Without an arm and cameras. */
   public SimulatedRobot(
@@ -36,17 +39,33 @@ public record SimulatedRobot(
       double battery,
       DriveKind kind,
       @Nullable Path firmware) {
-    this(name, start, maxLoad, battery, kind, firmware, null, 0);
+    this(name, start, maxLoad, battery, kind, firmware, null, 0, Avoidance.WEIGHTED_DIRECTIONS);
   }
 
   /** The same with that arm. */
   public SimulatedRobot withArm(ArmConfig mounted) {
-    return new SimulatedRobot(name, start, maxLoad, battery, kind, firmware, mounted, cameraRange);
+    return new SimulatedRobot(
+        name, start, maxLoad, battery, kind, firmware, mounted, cameraRange, avoidance);
   }
 
   /** The same with cameras that see so far, metres. */
   public SimulatedRobot withCamera(double range) {
-    return new SimulatedRobot(name, start, maxLoad, battery, kind, firmware, arm, range);
+    return new SimulatedRobot(
+        name, start, maxLoad, battery, kind, firmware, arm, range, avoidance);
+  }
+
+  /** The same on two wheels, with eight range sensors and four agents. */
+  public SimulatedRobot withFourAgents() {
+    return new SimulatedRobot(
+        name,
+        start,
+        maxLoad,
+        battery,
+        DriveKind.DIFFERENTIAL,
+        null,
+        arm,
+        cameraRange,
+        Avoidance.FOUR_AGENTS);
   }
 
   /** On three omni wheels. */

@@ -10,6 +10,7 @@ import org.jdbi.v3.core.Handle;
 import org.jdbi.v3.core.statement.PreparedBatch;
 import org.jspecify.annotations.Nullable;
 import org.toqa.fleet.FleetStore.StoredDrive;
+import org.toqa.motion.FreeZone;
 import org.toqa.motion.PassingRoom;
 import org.toqa.motion.Segment;
 import org.toqa.motion.Trajectory;
@@ -87,7 +88,8 @@ final class DriveTable {
             values (:id, :seq, :task, :phase, :way, :at)
             on duplicate key update seq = values(seq), task_id = values(task_id), phase = values(phase),
               way = values(way), created_at = values(created_at),
-              room_from = null, room_to = null, room_left = null, room_right = null
+              room_from = null, room_to = null, room_left = null, room_right = null,
+              zone_x = null, zone_y = null, zone_width = null, zone_height = null
             """)
         .bind("id", id)
         .bind("seq", drive.seq())
@@ -126,9 +128,11 @@ final class DriveTable {
 
   /** Nothing, where another drive is stored. */
   static int saveRoom(Handle h, String robot, long seq, @Nullable PassingRoom room) {
+    FreeZone zone = room == null ? null : room.zone();
     return h.createUpdate(
             """
-            update drives set room_from = :from, room_to = :to, room_left = :left, room_right = :right
+            update drives set room_from = :from, room_to = :to, room_left = :left, room_right = :right,
+              zone_x = :x, zone_y = :y, zone_width = :width, zone_height = :height
             where robot_id = :id and seq = :seq
             """)
         .bind("id", RobotTable.id(h, robot))
@@ -137,6 +141,10 @@ final class DriveTable {
         .bind("to", room == null ? null : room.to())
         .bind("left", room == null ? null : room.left())
         .bind("right", room == null ? null : room.right())
+        .bind("x", zone == null ? null : zone.x())
+        .bind("y", zone == null ? null : zone.y())
+        .bind("width", zone == null ? null : zone.width())
+        .bind("height", zone == null ? null : zone.height())
         .execute();
   }
 

@@ -19,6 +19,7 @@ import org.toqa.fleet.StoredRobot;
 import org.toqa.geometry.Pose;
 import org.toqa.link.http.RobotToken;
 import org.toqa.link.trust.Fingerprint;
+import org.toqa.motion.FreeZone;
 import org.toqa.motion.PassingRoom;
 import org.toqa.motion.Trajectory;
 import org.toqa.persistence.StoreException;
@@ -35,7 +36,8 @@ final class RobotTable {
               out_of_service, held, worked_s, charger, charger_since, told_load,
               p.x, p.y, p.theta, p.diameter,
               case when p.robot_id is null or d.seq > p.drive then d.way end as begun,
-              d.room_from, d.room_to, d.room_left, d.room_right
+              d.room_from, d.room_to, d.room_left, d.room_right,
+              d.zone_x, d.zone_y, d.zone_width, d.zone_height
             from robots r left join places p on p.robot_id = r.id
               left join drives d on d.robot_id = r.id
             where not removed order by id
@@ -125,6 +127,7 @@ final class RobotTable {
    * @param x null: nobody knows, or a person said that it is not there any more
    * @param begun the way of the drive that it has begun since; null: it has not
    * @param roomFrom as the next three: room beside that way; null: it has none
+   * @param zoneX as the next three: the free zone that it is; null: it is none
    */
   record StoredRobotRow(
       long id,
@@ -143,7 +146,11 @@ final class RobotTable {
       @Nullable Integer roomFrom,
       @Nullable Integer roomTo,
       @Nullable Double roomLeft,
-      @Nullable Double roomRight) {
+      @Nullable Double roomRight,
+      @Nullable Double zoneX,
+      @Nullable Double zoneY,
+      @Nullable Double zoneWidth,
+      @Nullable Double zoneHeight) {
     StoredRobot toStoredRobot(List<DriveTable.End> ends) {
       Turn turn = charger == null || chargerSince == null ? null : new Turn(charger, chargerSince);
       Duration worked = Duration.ofMillis(Math.round(1000 * workedS));
@@ -159,7 +166,14 @@ final class RobotTable {
     private @Nullable PassingRoom room() {
       return roomFrom == null || roomTo == null || roomLeft == null || roomRight == null
           ? null
-          : new PassingRoom(roomFrom, roomTo, roomLeft, roomRight);
+          : new PassingRoom(roomFrom, roomTo, roomLeft, roomRight, zone());
+    }
+
+    /** Without what is in it: only its robot has to know that. */
+    private @Nullable FreeZone zone() {
+      return zoneX == null || zoneY == null || zoneWidth == null || zoneHeight == null
+          ? null
+          : new FreeZone(zoneX, zoneY, zoneWidth, zoneHeight, 0, List.of());
     }
 
     private @Nullable LastPlace place(List<DriveTable.End> ends) {

@@ -523,6 +523,8 @@ public enum Phrase {
   NO_STATIONS_DRAWN,
   NO_PARKING_DRAWN,
   NO_CHARGING_DRAWN,
+  FREE_ZONE_ONE_WAY,
+  FREE_ZONE_NARROW,
 
   // What happened to a schedule
   SCHEDULE_ADDED,

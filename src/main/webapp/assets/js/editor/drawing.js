@@ -1,7 +1,7 @@
 import {rowsOf} from '../floor/runs.js';
 
 export const PLACE_KINDS = ['stations', 'parking', 'charging'];
-export const AREA_KINDS = ['keepOut', 'speedLimits', 'oneWay'];
+export const AREA_KINDS = ['keepOut', 'speedLimits', 'oneWay', 'freeZones'];
 export const KINDS = [...PLACE_KINDS, ...AREA_KINDS];
 
 /** What is drawn of a floor: a grid of cells, which of them are walls, and the things over them, by kind. */

@@ -13,6 +13,7 @@ const FIELDS = {
   keepOut: ['x', 'y', 'width', 'height'],
   speedLimits: ['speed', 'x', 'y', 'width', 'height'],
   oneWay: ['direction', 'x', 'y', 'width', 'height'],
+  freeZones: ['x', 'y', 'width', 'height'],
 };
 
 /** From and to of the fields that are numbers. */

@@ -258,6 +258,7 @@ export function createTools(editor) {
     keepOut: area(editor, 'keepOut', {}),
     speedLimits: area(editor, 'speedLimits', {speed: 0.2}),
     oneWay: area(editor, 'oneWay', {direction: 'east'}),
+    freeZones: area(editor, 'freeZones', {}),
     stations: new PlaceTool(editor, 'stations'),
     parking: new PlaceTool(editor, 'parking'),
     charging: new PlaceTool(editor, 'charging'),

@@ -6,16 +6,18 @@ export const AREA_COLOURS = {
   keepOut: 'state-error',
   speedLimits: 'map-goal',
   oneWay: 'state-driving',
+  freeZones: 'state-idle',
 };
 
 export const TURNS = {east: 0, north: -Math.PI / 2, west: Math.PI, south: Math.PI / 2};
+const DASHES = {speedLimits: [6, 4], freeZones: [2, 4]};
 const ARROW = 26; // pixels between two arrows of a one-way area
 
-/** Keep-out, slow and one-way areas, as the API gives them. */
+/** Keep-out, slow, one-way and free areas, as the API gives them. */
 export function drawAreas(context, viewport, colours, areas) {
   for (const [kind, name] of Object.entries(AREA_COLOURS)) {
     const colour = colours[name];
-    for (const area of areas[kind]) {
+    for (const area of areas[kind] ?? []) { // an older map has none of some kinds
       const box = boxOnScreen(viewport, area);
       drawArea(context, box, kind, colour);
       if (kind === 'oneWay') {
@@ -43,7 +45,7 @@ function drawArea(context, {x, y, width, height}, kind, colour) {
   context.globalAlpha = 0.9;
   context.strokeStyle = colour;
   context.lineWidth = 1.5;
-  context.setLineDash(kind === 'speedLimits' ? [6, 4] : []);
+  context.setLineDash(DASHES[kind] ?? []);
   context.stroke();
   if (kind === 'keepOut') {
     context.clip();

@@ -64,6 +64,7 @@ final class LiveFloor {
   private final List<AutoCloseable> parts = new ArrayList<>();
   private final SingleThreadRuntime runtime = new SingleThreadRuntime();
   private final SteppedLinks links;
+  private final Database database;
   private final long stepNanos;
   private long due;
   final VirtualClock clock;
@@ -121,6 +122,12 @@ final class LiveFloor {
     this(folder, floor, world, speed, DriveKind.OMNI, UnaryOperator.identity(), gateway, gateways);
   }
 
+  /** With robots on two wheels that have four agents. */
+  static LiveFloor withFourAgents(Path folder, FloorMap floor, SimulatedFloor world, double speed)
+      throws Exception {
+    return new LiveFloor(folder, floor, world, speed, SimulatedRobot::withFourAgents);
+  }
+
   private LiveFloor(
       Path folder,
       FloorMap floor,
@@ -135,7 +142,7 @@ final class LiveFloor {
     clock = new VirtualClock(Instant.EPOCH, speed);
     stepNanos = Math.round(VirtualClock.STEP.toNanos() / speed);
     parts.add(runtime);
-    Database database = MemoryDatabase.open("live-" + System.nanoTime());
+    database = MemoryDatabase.open("live-" + System.nanoTime());
     parts.add(database);
     jdbi = database.jdbi();
     store = new JdbiFleetStore(jdbi);
@@ -242,6 +249,18 @@ final class LiveFloor {
   void pass(Duration time) throws InterruptedException {
     long end = clock.nanos() + time.toNanos();
     await(_ -> clock.nanos() >= end);
+  }
+
+  /** Whether the store has a free zone as a robot's own. */
+  boolean isZoneLent() {
+    return database
+            .jdbi()
+            .withHandle(
+                h ->
+                    h.createQuery("select count(*) from drives where zone_width is not null")
+                        .mapTo(Integer.class)
+                        .one())
+        > 0;
   }
 
   /** Where a robot's middle really is, map frame. */

@@ -50,6 +50,10 @@ final class ScriptedCondition {
   @Nullable PassingRoom room;
 
   boolean refusesRoom;
+
+  /** Whether it finds its own way through free zones. */
+  boolean freeZones;
+
   boolean hasRefusedRoom;
 
   int lostClears;

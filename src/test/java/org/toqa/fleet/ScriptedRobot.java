@@ -99,6 +99,11 @@ public final class ScriptedRobot {
     condition.room = null;
   }
 
+  /** It finds its own way through free zones; before it connects. */
+  synchronized void setFreeZones(boolean itDoes) {
+    condition.freeZones = itDoes;
+  }
+
   synchronized boolean hasRefusedRoom() {
     return condition.hasRefusedRoom;
   }
@@ -432,7 +437,7 @@ public final class ScriptedRobot {
       case Extend e -> drive.extend(e);
       case Release r -> drive.release(r);
       case Room r -> {
-        condition.room = new PassingRoom(r.from(), r.to(), r.left(), r.right());
+        condition.room = new PassingRoom(r.from(), r.to(), r.left(), r.right(), r.zone());
         condition.roomUse = RoomUse.HELD;
       }
       case Cancel c -> {
@@ -489,7 +494,8 @@ public final class ScriptedRobot {
         arm,
         act == null ? null : act.seq(),
         acted,
-        condition.room);
+        condition.room,
+        condition.freeZones);
   }
 
   private State state() {

@@ -78,6 +78,7 @@ class FloorFilesPropertyTest {
     assertEquals(wanted.keepOut(), read.keepOut());
     assertEquals(wanted.speedLimits(), read.speedLimits());
     assertEquals(wanted.oneWay(), read.oneWay());
+    assertEquals(wanted.freeZones(), read.freeZones());
     assertEquals(wanted.moves(), read.moves());
     List<Place> places = wanted.places().toList();
     List<Place> others = read.places().toList();
@@ -121,6 +122,7 @@ class FloorFilesPropertyTest {
                 .map(area -> new SpeedLimit(area, 0.05 + 2.9 * random.nextDouble()))
                 .toList(),
             areas(random, walls).stream().map(area -> new OneWay(area, direction(random))).toList(),
+            areas(random, walls),
             random.nextBoolean() ? Moves.SMOOTH : Moves.HEADING);
     return new FloorMap(NAMES.get(random.nextInt(NAMES.size())), drawing, Margins.USUAL);
   }

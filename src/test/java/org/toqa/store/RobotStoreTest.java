@@ -32,6 +32,7 @@ import org.toqa.fleet.StoredRobot;
 import org.toqa.geometry.Pose;
 import org.toqa.link.trust.Fingerprint;
 import org.toqa.mission.Phase;
+import org.toqa.motion.FreeZone;
 import org.toqa.motion.PassingRoom;
 import org.toqa.motion.Segment;
 import org.toqa.motion.Trajectory;
@@ -147,7 +148,13 @@ class RobotStoreTest extends FleetDatabaseTest {
     assertEquals(new LastPlace(0.3, longer, room), place());
     store.saveRoom("r1", 7, null);
     assertEquals(new LastPlace(0.3, longer), place());
+    FreeZone zone =
+        new FreeZone(1, 2, 3, 2.5, 0, List.of()); // what only its robot needs is not kept
+    PassingRoom free = new PassingRoom(0, 2, 0, 0, zone);
+    store.saveRoom("r1", 7, free);
+    assertEquals(new LastPlace(0.3, longer, free), place());
     store.saveRoom("r1", 7, room);
+    assertEquals(new LastPlace(0.3, longer, room), place());
     store.saveDrive("r1", new StoredDrive(7, null, Phase.NONE, longer));
     assertEquals(new LastPlace(0.3, longer), place());
 

@@ -17,7 +17,6 @@ import org.toqa.agent.firmware.SerialTransport;
 import org.toqa.agent.firmware.SimulatorTransport;
 import org.toqa.agent.firmware.SpidevTransport;
 import org.toqa.agent.http.HttpChassis;
-import org.toqa.avoidance.RangeSensors;
 import org.toqa.geometry.Pose;
 
 /** Opens the body that a configuration names. */
@@ -40,7 +39,7 @@ final class ChassisFactory {
                   body.battery(),
                   SimulatedWheels.of(config.kind(), body.noise()),
                   body.seed(),
-                  new RangeSensors(config.footprint() / 2),
+                  config.rangeSensors(),
                   body.surroundings()),
               config.arm(),
               folder);

@@ -15,6 +15,7 @@ import org.toqa.agent.chassis.Chassis;
 import org.toqa.agent.chassis.SimulatedBattery;
 import org.toqa.agent.config.AgentConfig;
 import org.toqa.agent.config.ArmConfig;
+import org.toqa.agent.config.Avoidance;
 import org.toqa.agent.config.ChassisConfig;
 import org.toqa.agent.drive.MotionLimits;
 import org.toqa.agent.storage.DataFolder;
@@ -32,6 +33,7 @@ final class Rig implements AutoCloseable {
   private final ChassisConfig config;
   private final UnaryOperator<Chassis> wrapper;
   private final @Nullable ArmConfig arm;
+  private final Avoidance avoidance;
   private @Nullable Chassis body;
   private final List<TestServer> servers = new ArrayList<>();
   private long nanos;
@@ -79,7 +81,24 @@ final class Rig implements AutoCloseable {
       ChassisConfig body,
       UnaryOperator<Chassis> wrapper,
       @Nullable ArmConfig arm) {
+    this(folder, kind, body, wrapper, arm, Avoidance.WEIGHTED_DIRECTIONS);
+  }
+
+  /** On two wheels, with four agents. */
+  static Rig withFourAgents(Path folder, ChassisConfig body) {
+    return new Rig(
+        folder, DriveKind.DIFFERENTIAL, body, chassis -> chassis, null, Avoidance.FOUR_AGENTS);
+  }
+
+  private Rig(
+      Path folder,
+      DriveKind kind,
+      ChassisConfig body,
+      UnaryOperator<Chassis> wrapper,
+      @Nullable ArmConfig arm,
+      Avoidance avoidance) {
     this.arm = arm;
+    this.avoidance = avoidance;
     this.kind = kind;
     this.folder = folder;
     this.config = body;
@@ -117,7 +136,8 @@ final class Rig implements AutoCloseable {
         LIMITS,
         AgentConfig.Following.DEFAULT,
         config,
-        arm);
+        arm,
+        avoidance);
   }
 
   /** A server that was greeted and has said nothing yet. */

@@ -11,6 +11,10 @@ import org.toqa.geometry.Vec2;
 final class RoundObstacles implements Surroundings {
   private static final double STEP = 0.001;
   private static final double TICK = 0.02;
+
+  /** Metres a tick; who is slower stands. */
+  private static final double STANDING = 0.0002;
+
   private static final double ROBOT = 0.255 / 2;
 
   private final List<Obstacle> obstacles = new ArrayList<>();
@@ -18,6 +22,8 @@ final class RoundObstacles implements Surroundings {
   private Vec2 walking = Vec2.ZERO;
   private Vec2 walkingFrom = Vec2.ZERO;
   private Pose truth = Rig.START;
+  private Pose last = Rig.START;
+  private boolean wasHitStanding;
   private double nearest = Double.POSITIVE_INFINITY;
 
   private record Obstacle(Vec2 middle, double radius, Vec2 velocity) {
@@ -61,6 +67,16 @@ final class RoundObstacles implements Surroundings {
     isMiddleBlind = true;
   }
 
+  /** Whether something drove into the robot that stood, before it drove into anything. */
+  boolean wasHitStanding() {
+    return wasHitStanding;
+  }
+
+  /** Where the robot really is. */
+  Pose truth() {
+    return truth;
+  }
+
   /** Metres between the robot's rim and a thing at their nearest. */
   double nearest() {
     return nearest;
@@ -74,6 +90,12 @@ final class RoundObstacles implements Surroundings {
       Vec2 walked = walking.times(now.x() - Rig.START.x());
       obstacles.replaceAll(
           thing -> new Obstacle(walkingFrom.plus(walked), thing.radius(), Vec2.ZERO));
+    }
+    double moved = now.distanceTo(last);
+    last = now;
+    boolean isTouched = obstacles.stream().anyMatch(thing -> thing.gap(now.position()) < ROBOT);
+    if (isTouched && nearest > 0 && moved < STANDING) {
+      wasHitStanding = true;
     }
     obstacles.forEach(thing -> nearest = Math.min(nearest, thing.gap(now.position()) - ROBOT));
   }

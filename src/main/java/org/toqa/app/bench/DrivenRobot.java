@@ -37,6 +37,7 @@ import org.toqa.link.message.ServerMessage.Ping;
 import org.toqa.link.message.ServerMessage.Release;
 import org.toqa.link.message.ServerMessage.Resume;
 import org.toqa.motion.DriveKind;
+import org.toqa.sim.SimulatedFleet;
 
 /**
  * A robot alone at the other end of a link: it drives by the daemon's own trajectories, limits and
@@ -46,7 +47,7 @@ import org.toqa.motion.DriveKind;
 final class DrivenRobot implements AutoCloseable {
   static final MotionLimits LIMITS = new MotionLimits(0.5, 3.5, 0.5, 3);
   private static final PaceLimits PACE = PaceLimits.forSingleRobot(LIMITS);
-  private static final DriveRules RULES = new DriveRules(LIMITS);
+  private static final DriveRules RULES = new DriveRules(LIMITS, SimulatedFleet.FOOTPRINT / 2);
   private static final SimulatedWheels WHEELS = SimulatedWheels.omni(0, 0);
   private static final double MAX_LOAD = 5;
 

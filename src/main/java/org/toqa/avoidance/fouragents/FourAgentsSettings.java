@@ -87,6 +87,21 @@ public record FourAgentsSettings(
         convergence);
   }
 
+  /** The same with another distance from the target within which only that counts, metres. */
+  public FourAgentsSettings withArrival(double metres) {
+    return new FourAgentsSettings(
+        body,
+        sensorRange,
+        danger,
+        metres,
+        margin,
+        approach,
+        cruise,
+        hysteresis,
+        tolerance,
+        convergence);
+  }
+
   /** The same with another dangerous zone, metres. */
   public FourAgentsSettings withDanger(double metres) {
     return new FourAgentsSettings(

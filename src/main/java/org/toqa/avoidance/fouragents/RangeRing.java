@@ -1,6 +1,8 @@
 package org.toqa.avoidance.fouragents;
 
+import java.util.Comparator;
 import java.util.List;
+import java.util.stream.IntStream;
 import org.toqa.geometry.Pose;
 
 /**
@@ -27,6 +29,25 @@ public record RangeRing(double radius, double farthest) {
 
   /** How many sensors there are. */
   public static final int SIZE = DIRECTIONS.size();
+
+  /** The sensors' places in {@link #beams}, from right behind over the front to left behind. */
+  private static final List<Integer> RIGHT_TO_LEFT =
+      IntStream.range(0, SIZE).boxed().sorted(Comparator.comparing(DIRECTIONS::get)).toList();
+
+  /** The same sensors from right behind over the front to left behind, robot frame. */
+  public List<Pose> beamsRightToLeft() {
+    List<Pose> beams = beams();
+    return RIGHT_TO_LEFT.stream().map(beams::get).toList();
+  }
+
+  /**
+   * Readings in the order of {@link #beams}.
+   *
+   * @param ranges one a sensor, from right behind over the front to left behind
+   */
+  public static List<Double> ordered(List<Double> ranges) {
+    return IntStream.range(0, SIZE).mapToObj(i -> ranges.get(RIGHT_TO_LEFT.indexOf(i))).toList();
+  }
 
   /** Where each sensor is and looks, robot frame. */
   public List<Pose> beams() {

@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Optional;
 import org.jspecify.annotations.Nullable;
 import org.toqa.fleet.FleetStore.StoredDrive;
+import org.toqa.fleet.RobotCapabilities;
 import org.toqa.fleet.robot.RobotMessage;
 import org.toqa.link.message.AgentMessage.Mode;
 import org.toqa.link.message.AgentMessage.Role;
@@ -73,6 +74,7 @@ final class DriveDispatcher {
         robot.name(),
         robot.isFit() && !robot.hold.isHeld() && !isStray && !isWaiting && !arms.isActing(robot));
     state.traffic.setDiameter(robot.name(), state.diameter(robot));
+    state.traffic.setFindsOwnWay(robot.name(), findsOwnWay(robot));
     state.traffic.setGoal(
         robot.name(),
         goal == null || isOnOtherDrive ? null : goal.goal(),
@@ -90,6 +92,12 @@ final class DriveDispatcher {
     } else if (!isWaiting) {
       setWaitReason(robot, goal == null ? null : trafficWaitReason(robot.name()));
     }
+  }
+
+  /** Whether it can, and has nothing on board that is wider than itself. */
+  private boolean findsOwnWay(FloorRobot robot) {
+    RobotCapabilities can = robot.reported.capabilities();
+    return can.findsOwnWay() && state.diameter(robot) <= can.footprint();
   }
 
   /** A person drives it: it is planned nothing. */
@@ -138,12 +146,18 @@ final class DriveDispatcher {
   }
 
   /**
-   * Whether it stands beside its path and will not go on by that: it begins anew from where it is.
+   * Whether it stands beside its path, or in a free zone that it does not find its way through, and
+   * will not go on by that: it begins anew from where it is.
    */
   private boolean updateOffPath(FloorRobot robot) {
     LastReport report = robot.reported.report();
     boolean isOff =
-        report.mode() == Mode.DRIVING && !report.moving() && report.hasError(LastReport.OFF_WAY);
+        report.mode() == Mode.DRIVING
+            && !report.moving()
+            && (report.hasError(LastReport.OFF_WAY) || report.hasError(LastReport.ZONE_STUCK));
+    if (report.hasError(LastReport.ZONE_STUCK)) {
+      state.traffic.giveUpZone(robot.name());
+    }
     return robot.offPath.update(isOff, OFF_PATH_PATIENCE, state.now);
   }
 
@@ -374,7 +388,10 @@ final class DriveDispatcher {
                   extend.from(), extend.segments(), extend.released(), extend.endsAtGoal()));
       case DriveCommand.Release release ->
           robot.agent.tell(new RobotMessage.Release(release.released()));
-      case DriveCommand.Room lent -> robot.agent.tell(new RobotMessage.LendRoom(lent.room()));
+      case DriveCommand.Room lent -> {
+        robot.room.lend();
+        robot.agent.tell(new RobotMessage.LendRoom(lent.room()));
+      }
     }
   }
 }

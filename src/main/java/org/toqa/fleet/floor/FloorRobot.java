@@ -31,7 +31,8 @@ final class FloorRobot {
   private static final Logger log = LoggerFactory.getLogger(FloorRobot.class);
 
   /** The codes by which a robot reports that it stands, and will go on by itself. */
-  private static final Set<String> STOPS_ON_PATH = Set.of(LastReport.OBSTACLE, LastReport.OFF_WAY);
+  private static final Set<String> STOPS_ON_PATH =
+      Set.of(LastReport.OBSTACLE, LastReport.OFF_WAY, LastReport.ZONE_STUCK);
 
   final ActorRef<RobotMessage> agent;
 

@@ -42,6 +42,9 @@ record LastReport(
   /** The code by which a robot reports that it stands because it is too far beside its path. */
   static final String OFF_WAY = "OFF_WAY";
 
+  /** The code by which a robot reports that it does not find its way through a free zone. */
+  static final String ZONE_STUCK = "ZONE_STUCK";
+
   /** Of a robot that was never heard of. */
   static final LastReport NONE =
       new LastReport(

@@ -103,7 +103,8 @@ final class ReportedState {
             hello.sensorRange(),
             hello.driveKind(),
             Math.clamp(hello.track(), 0, hello.footprint()),
-            hello.arm());
+            hello.arm(),
+            hello.freeZones());
     alert = null;
     unreachable = null;
     rejectedChange = null;

@@ -62,6 +62,7 @@ final class RoomDispatcher {
 
   void refused(FloorRobot robot) {
     if (state.traffic.hasRobot(robot.name()) && state.traffic.hasRoom(robot.name())) {
+      state.traffic.giveUpZone(robot.name());
       end(robot);
     }
   }

@@ -2,6 +2,7 @@ package org.toqa.fleet.manager;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import org.jspecify.annotations.Nullable;
@@ -12,12 +13,14 @@ import org.toqa.fleet.Schedule;
 import org.toqa.fleet.TaskOrder.Where;
 import org.toqa.fleet.floor.PlaceCheck;
 import org.toqa.geometry.Vec2;
+import org.toqa.grid.Area;
 import org.toqa.grid.Disc;
 import org.toqa.grid.FloorDrawing;
 import org.toqa.grid.OccupancyGrid;
 import org.toqa.grid.Place;
 import org.toqa.mission.TaskPlace;
 import org.toqa.mission.TransportTask;
+import org.toqa.motion.FreeZone;
 import org.toqa.wording.Phrase;
 import org.toqa.wording.Sentence;
 
@@ -50,6 +53,7 @@ record MapCheck(
     tasks.forEach(task -> addTask(task, grid, problems));
     loads.forEach(load -> addLoad(load, grid, problems));
     schedules.forEach(schedule -> addSchedule(schedule, drawing, grid, problems));
+    drawing.freeZones().forEach(zone -> addFreeZone(zone, drawing, problems));
     addHints(drawing, problems);
     return problems;
   }
@@ -164,6 +168,25 @@ record MapCheck(
                     position));
           }
         }
+      }
+    }
+  }
+
+  /** Why robots would follow their paths through a free zone as if there were none. */
+  private void addFreeZone(Area zone, FloorDrawing drawing, List<MapProblem> problems) {
+    Vec2 middle = zone.low().plus(new Vec2(zone.width() / 2, zone.height() / 2));
+    if (drawing.oneWay().stream().anyMatch(way -> way.area().overlaps(zone))) {
+      problems.add(new MapProblem(false, Phrase.FREE_ZONE_ONE_WAY.with(middle.toString()), middle));
+    }
+    for (RobotView robot : robots) {
+      double needed = robot.capabilities().footprint() + FreeZone.AIR;
+      if (robot.capabilities().findsOwnWay() && Math.min(zone.width(), zone.height()) < needed) {
+        String metres = String.format(Locale.ROOT, "%.2f", needed);
+        problems.add(
+            new MapProblem(
+                false,
+                Phrase.FREE_ZONE_NARROW.with(middle.toString(), robot.name(), metres),
+                middle));
       }
     }
   }

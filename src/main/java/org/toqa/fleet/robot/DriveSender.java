@@ -140,7 +140,7 @@ final class DriveSender {
             (n, d) -> {
               roomNumber = n;
               return new ServerMessage.Room(
-                  n, d, room.from(), room.to(), room.left(), room.right());
+                  n, d, room.from(), room.to(), room.left(), room.right(), room.zone());
             }));
   }
 

@@ -75,6 +75,7 @@ public sealed interface AgentMessage {
    * @param act sequence number of what the arm does now; null: nothing
    * @param acted how the last act ended that is not acknowledged yet
    * @param room that it was lent beside the path of its drive; null: none
+   * @param freeZones whether it finds its own way through a free zone that it is lent
    */
   record Hello(
       int version,
@@ -100,8 +101,63 @@ public sealed interface AgentMessage {
       @JsonSetter(nulls = Nulls.SET) @Nullable Arm arm,
       @JsonSetter(nulls = Nulls.SET) @Nullable Long act,
       @JsonSetter(nulls = Nulls.SET) @Nullable ActEnd acted,
-      @JsonSetter(nulls = Nulls.SET) @Nullable PassingRoom room)
+      @JsonSetter(nulls = Nulls.SET) @Nullable PassingRoom room,
+      boolean freeZones)
       implements AgentMessage {
+
+    /** That of a robot that follows its path through free zones too. */
+    public Hello(
+        int version,
+        String robot,
+        double maxLoad,
+        double maxSpeed,
+        double maxTurnRate,
+        double footprint,
+        double sensorRange,
+        String kind,
+        double track,
+        boolean localised,
+        Pose pose,
+        Mode mode,
+        @Nullable Long task,
+        int phase,
+        Role role,
+        long drive,
+        int segment,
+        int released,
+        long lastSeq,
+        @Nullable PhaseEnd done,
+        @Nullable Arm arm,
+        @Nullable Long act,
+        @Nullable ActEnd acted,
+        @Nullable PassingRoom room) {
+      this(
+          version,
+          robot,
+          maxLoad,
+          maxSpeed,
+          maxTurnRate,
+          footprint,
+          sensorRange,
+          kind,
+          track,
+          localised,
+          pose,
+          mode,
+          task,
+          phase,
+          role,
+          drive,
+          segment,
+          released,
+          lastSeq,
+          done,
+          arm,
+          act,
+          acted,
+          room,
+          false);
+    }
 
     /** That of a robot without an arm, and without room beside its path. */
     public Hello(

@@ -1,5 +1,6 @@
 package org.toqa.link.message;
 
+import com.fasterxml.jackson.annotation.JsonSetter;
 import com.fasterxml.jackson.annotation.JsonSubTypes;
 import com.fasterxml.jackson.annotation.Nulls;
 import java.util.Arrays;
@@ -7,6 +8,7 @@ import java.util.List;
 import java.util.stream.Collectors;
 import org.jspecify.annotations.Nullable;
 import org.toqa.motion.DriveKind;
+import org.toqa.motion.FreeZone;
 import org.toqa.text.CleanText;
 import tools.jackson.core.JacksonException;
 import tools.jackson.core.JsonParser;
@@ -69,6 +71,9 @@ public final class LinkCodec {
           .enable(EnumFeature.FAIL_ON_NUMBERS_FOR_ENUMS)
           .changeDefaultNullHandling(
               nulls -> nulls.withValueNulls(Nulls.FAIL).withContentNulls(Nulls.FAIL))
+          .withConfigOverride(
+              FreeZone.class,
+              zone -> zone.setNullHandling(JsonSetter.Value.forValueNulls(Nulls.SET)))
           .addModule(
               new SimpleModule()
                   .addDeserializer(double.class, new PlainNumber())
@@ -223,6 +228,7 @@ public final class LinkCodec {
   private static void addMissingFields(JsonNode message) {
     switch (message.path("type").asString("")) {
       case "drive" -> addIfMissing(message, "load", 0);
+      case "room" -> addNullIfMissing(message, "zone");
       case "lead", "follow" -> addNullIfMissing(message, "carries");
       case "pair" -> addNullIfMissing(message, "robot");
       case "hello" -> {
@@ -234,6 +240,8 @@ public final class LinkCodec {
         addNullIfMissing(message, "acted");
         addIfMissing(message, "track", 0);
         addNullIfMissing(message, "room");
+        addNullIfMissing(message.path("room"), "zone");
+        addIfMissing(message, "freeZones");
       }
       case "state" -> {
         addNullIfMissing(message, "placeError");

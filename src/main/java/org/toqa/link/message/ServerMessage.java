@@ -11,6 +11,7 @@ import org.jspecify.annotations.Nullable;
 import org.toqa.arm.ArmAction;
 import org.toqa.geometry.Pose;
 import org.toqa.geometry.Vec2;
+import org.toqa.motion.FreeZone;
 import org.toqa.motion.Segment;
 
 /**
@@ -104,9 +105,24 @@ public sealed interface ServerMessage {
    * @param to the first one beside which it is not any more; it is released
    * @param left metres that the robot's middle may be to the left of its path
    * @param right metres that it may be to the right
+   * @param zone in which the robot finds its own way from where segment {@code from} begins to
+   *     where segment {@code to} does; null: none. Only for robots that say that they can
    */
-  record Room(long seq, long drive, int from, int to, double left, double right)
-      implements Command {}
+  record Room(
+      long seq,
+      long drive,
+      int from,
+      int to,
+      double left,
+      double right,
+      @JsonSetter(nulls = Nulls.SET) @Nullable FreeZone zone)
+      implements Command {
+
+    /** Beside the path. */
+    public Room(long seq, long drive, int from, int to, double left, double right) {
+      this(seq, drive, from, to, left, right, null);
+    }
+  }
 
   /**
    * Lead these robots with the drive that comes next.

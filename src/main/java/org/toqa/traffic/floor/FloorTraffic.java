@@ -16,10 +16,12 @@ import org.jspecify.annotations.Nullable;
 import org.toqa.geometry.Pose;
 import org.toqa.geometry.Twist;
 import org.toqa.geometry.Vec2;
+import org.toqa.grid.Area;
 import org.toqa.grid.Margins;
 import org.toqa.grid.Moves;
 import org.toqa.grid.OccupancyGrid;
 import org.toqa.motion.DriveSpeeds;
+import org.toqa.motion.FreeZone;
 import org.toqa.motion.PassingRoom;
 import org.toqa.motion.Trajectory;
 import org.toqa.traffic.Deadline;
@@ -66,6 +68,7 @@ public final class FloorTraffic {
   private final Claims claims;
   private final ManualSteps manualSteps;
   private final RoomLender roomLender;
+  private final ZoneLender zoneLender;
   private final StandstillDetector standstillDetector = new StandstillDetector();
   private final WaitChains waitChains = new WaitChains();
   private final ReplanTrigger trigger = new ReplanTrigger();
@@ -123,6 +126,7 @@ public final class FloorTraffic {
     this.manualSteps = new ManualSteps(grid, margins, claims);
     this.releaser = new SectionReleaser(new SectionFitter(), robots, claims, trigger);
     this.roomLender = new RoomLender(grid, claims, releaser);
+    this.zoneLender = new ZoneLender(grid, claims, releaser);
     this.pathAssigner =
         new PathAssigner(
             robots,
@@ -265,6 +269,27 @@ public final class FloorTraffic {
     return roomLender.lend(robot(name), seen, obstacles.of(name), now);
   }
 
+  /**
+   * Whether the robot, alone and with nothing wider than itself on board, finds its own way through
+   * free zones. It is lent them as it comes to them.
+   */
+  public void setFindsOwnWay(String name, boolean itDoes) {
+    robot(name).setFindsOwnWay(itDoes);
+  }
+
+  /**
+   * The robot did not take the free zone that it was lent, or did not find its way through it: it
+   * follows a path there.
+   */
+  public void giveUpZone(String name) {
+    TrafficRobot robot = robot(name);
+    LentRoom lent = robot.drive.lentRoom();
+    FreeZone zone = lent == null ? null : lent.room().zone();
+    if (zone != null) {
+      robot.setGivenUp(new Area(new Vec2(zone.x(), zone.y()), zone.width(), zone.height()));
+    }
+  }
+
   /** The robot was lent that before, beside the trajectory that it drives. */
   public void adoptRoom(String name, PassingRoom room) {
     TrafficRobot robot = robot(name);
@@ -279,9 +304,17 @@ public final class FloorTraffic {
     return robot(name).drive.lentRoom() != null;
   }
 
-  /** The robot is on its path again, and has given its room back. */
+  /**
+   * The robot is on its path again, and has given its room back. A free zone that it has not driven
+   * through it is not lent again on this path.
+   */
   public void returnRoom(String name) {
-    robot(name).drive.endRoom();
+    Drive drive = robot(name).drive;
+    LentRoom lent = drive.lentRoom();
+    if (lent != null && drive.completedSegments() < lent.room().to()) {
+      giveUpZone(name);
+    }
+    drive.endRoom();
   }
 
   /**
@@ -479,7 +512,16 @@ public final class FloorTraffic {
 
   private void release(Instant now) {
     boolean planned = pathAssigner.isPlanningJointly();
-    robots.values().forEach(robot -> releaser.release(robot, planned, now));
+    robots.values().forEach(robot -> release(robot, planned, now));
+  }
+
+  private void release(TrafficRobot robot, boolean isPlanned, Instant now) {
+    int beforeZone = zoneLender.sectionsBefore(robot, now);
+    releaser.release(robot, isPlanned, beforeZone, now);
+    if (robot.drive.released() >= beforeZone
+        && zoneLender.lend(robot, obstacles.of(robot.name), now)) {
+      releaser.release(robot, isPlanned, Integer.MAX_VALUE, now);
+    }
   }
 
   private void freeUnreleased(TrafficRobot robot) {

@@ -64,6 +64,16 @@ record ReservedPath(
     return sections.subList(0, count).stream().mapToInt(s -> s.segments().size()).sum();
   }
 
+  /** How many sections are complete when {@code segments} segments are. */
+  int completedSections(int segments) {
+    int left = segments;
+    int count = 0;
+    while (count < sectionCount() && sections.get(count).segments().size() <= left) {
+      left -= sections.get(count++).segments().size();
+    }
+    return count;
+  }
+
   /** After how many sections a robot that may drive the first {@code count} is in a cell again. */
   int committed(int count) {
     int end = count;

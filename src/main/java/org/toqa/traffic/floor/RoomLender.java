@@ -9,6 +9,7 @@ import org.toqa.avoidance.Bypass;
 import org.toqa.geometry.Pose;
 import org.toqa.geometry.Vec2;
 import org.toqa.grid.OccupancyGrid;
+import org.toqa.motion.FreeZone;
 import org.toqa.motion.PassingRoom;
 import org.toqa.motion.Segment;
 
@@ -95,6 +96,10 @@ final class RoomLender {
 
   /** The room that a robot was lent by an earlier server. */
   static LentRoom lentBefore(TrafficRobot robot, ReservedPath path, PassingRoom room) {
+    FreeZone zone = room.zone();
+    if (zone != null) {
+      return new LentRoom(room, List.of(ZoneLender.whole(zone, robot.radius())));
+    }
     List<Segment> segments = path.segmentsFrom(0);
     List<SweptArea> areas = new ArrayList<>();
     Pose pose = path.start();

@@ -46,14 +46,15 @@ final class SectionReleaser {
   /**
    * @param isPlanned whether a plan is being made that goes on where its released part ends: if
    *     that can stay there, it does
+   * @param until so many sections of its path and no more
    */
-  void release(TrafficRobot robot, boolean isPlanned, Instant now) {
+  void release(TrafficRobot robot, boolean isPlanned, int until, Instant now) {
     ReservedPath path = robot.drive.path();
     if (path == null || !robot.isMovable() || robot.isStalled()) {
       return;
     }
     double enough = isPlanned ? SECONDS_AHEAD_WHILE_PLANNED : SECONDS_AHEAD;
-    while (robot.drive.released() < path.sectionCount()
+    while (robot.drive.released() < Math.min(path.sectionCount(), until)
         && Allocation.secondsAhead(robot) < enough) {
       if (!canEnter(robot, path, robot.drive.released())) {
         if (isBarredHalfway(robot, now)) {

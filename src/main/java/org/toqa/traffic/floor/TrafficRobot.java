@@ -9,6 +9,7 @@ import org.jspecify.annotations.Nullable;
 import org.toqa.geometry.Angles;
 import org.toqa.geometry.Pose;
 import org.toqa.geometry.Vec2;
+import org.toqa.grid.Area;
 import org.toqa.grid.Cell;
 import org.toqa.grid.OccupancyGrid;
 import org.toqa.motion.DriveSpeeds;
@@ -52,6 +53,12 @@ final class TrafficRobot {
 
   /** Whether it has not gone on for much longer than its path takes. */
   private boolean stalled;
+
+  /** Whether it finds its own way through a free zone that it is lent. */
+  private boolean findsOwnWay;
+
+  /** The free zone that it is not lent until it has left it and its path is over; null: none. */
+  private @Nullable Area givenUp;
 
   /** What it covers where it is. */
   private SweptArea standingArea;
@@ -158,7 +165,27 @@ final class TrafficRobot {
     return true;
   }
 
+  boolean findsOwnWay() {
+    return findsOwnWay;
+  }
+
+  void setFindsOwnWay(boolean itDoes) {
+    findsOwnWay = itDoes;
+  }
+
+  /** The free zone that it follows its path through; null: none. */
+  @Nullable Area givenUp() {
+    return givenUp;
+  }
+
+  void setGivenUp(@Nullable Area zone) {
+    givenUp = zone;
+  }
+
   void setPose(Pose newPose, double newRadius) {
+    if (givenUp != null && drive.path() == null && !givenUp.contains(newPose.position())) {
+      givenUp = null;
+    }
     boolean isSame =
         newRadius == radius
             && (formation == null

@@ -27,6 +27,7 @@ record DrawingJson(
     List<AreaJson> keepOut,
     List<AreaJson> speedLimits,
     List<AreaJson> oneWay,
+    List<AreaJson> freeZones,
     String moves) {
 
   /** Metres, map frame; degrees counter-clockwise from east. */
@@ -88,6 +89,7 @@ record DrawingJson(
         drawing.oneWay().stream()
             .map(way -> AreaJson.of(way.area(), null, way.direction()))
             .toList(),
+        drawing.freeZones().stream().map(area -> AreaJson.of(area, null, null)).toList(),
         drawing.moves().word());
   }
 }

@@ -52,6 +52,7 @@ final class DrawingReader {
             reader.areas("keepOut", (item, area) -> area),
             reader.areas("speedLimits", (item, area) -> new SpeedLimit(area, speed(item))),
             reader.areas("oneWay", (item, area) -> new OneWay(area, direction(item, "direction"))),
+            reader.areas("freeZones", (item, area) -> area),
             moves(fields));
     fields.refuseUnknown();
     return drawing;

@@ -35,6 +35,7 @@ record MapJson(
     List<AreaJson> keepOut,
     List<AreaJson> speedLimits,
     List<AreaJson> oneWay,
+    List<AreaJson> freeZones,
     Margins margins,
     String version) {
 
@@ -61,6 +62,7 @@ record MapJson(
         areas.keepOut(),
         areas.speedLimits(),
         areas.oneWay(),
+        areas.freeZones(),
         floor.margins(),
         floor.version());
   }

@@ -48,6 +48,7 @@ class ApiFloorsTest extends WebServerTest {
        "keepOut":[{"x":0.5,"y":0,"width":0.5,"height":0.5}],
        "speedLimits":[{"x":-1,"y":0,"width":1,"height":0.5,"speed":0.2}],
        "oneWay":[{"x":-1,"y":0.5,"width":2,"height":0.5,"direction":"west"}],
+       "freeZones":[{"x":-1,"y":0,"width":1.5,"height":1}],
        "moves":"smooth"}\
       """;
 
@@ -167,6 +168,7 @@ class ApiFloorsTest extends WebServerTest {
         "\"charging\":[] | \"doors\":[] | doors",
         "\"width\":0.5,\"height\":0.5} | \"width\":0,\"height\":0.5} | keepOut.0.width",
         "\"speed\":0.2 | \"speed\":0 | speedLimits.0.speed",
+        "\"height\":1} | \"height\":-1} | freeZones.0.height",
         "\"moves\":\"smooth\" | \"moves\":\"curvy\" | moves",
         "\"moves\":\"smooth\" | \"moves\":7 | moves",
         "\"direction\":\"west\" | \"direction\":\"WEST\" | oneWay.0.direction",

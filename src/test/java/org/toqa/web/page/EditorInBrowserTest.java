@@ -62,6 +62,8 @@ class EditorInBrowserTest extends PagesInBrowser {
     tool(page, "oneWay");
     drag(page, 1.5, 2.1, 4.5, 2.7);
     page.locator("[data-field=direction]").selectOption("west");
+    tool(page, "freeZones");
+    drag(page, 8.1, 3.3, 9.9, 4.8);
     tool(page, "stations");
     click(page, 1.05, 1.05);
     page.locator("[data-field=name]").fill("Dock");

@@ -13,6 +13,8 @@ import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import org.jspecify.annotations.Nullable;
 import org.toqa.agent.drive.MotionLimits;
+import org.toqa.avoidance.RangeSensors;
+import org.toqa.avoidance.fouragents.RangeRing;
 import org.toqa.formation.FollowerLaw;
 import org.toqa.formation.FollowerLawType;
 import org.toqa.formation.Gains;
@@ -35,6 +37,7 @@ import org.toqa.yaml.YamlSyntaxException;
  * @param footprint diameter in metres
  * @param kind how it can move
  * @param arm null: it has none
+ * @param avoidance how it gets round what it sees
  */
 public record AgentConfig(
     String name,
@@ -48,7 +51,8 @@ public record AgentConfig(
     MotionLimits limits,
     Following following,
     ChassisConfig chassis,
-    @Nullable ArmConfig arm) {
+    @Nullable ArmConfig arm,
+    Avoidance avoidance) {
 
   private static final String[] KEYS = {
     "name",
@@ -59,6 +63,7 @@ public record AgentConfig(
     "maxLoad",
     "footprint",
     "kind",
+    "avoidance",
     "maxSpeed",
     "maxTurnRate",
     "acceleration",
@@ -83,6 +88,36 @@ public record AgentConfig(
     public static Following of(DriveKind kind) {
       return new Following(FollowerLawType.of(kind).withGains(Gains.DEFAULT), DEFAULT.linkDelay());
     }
+  }
+
+  /** With the usual avoidance. */
+  public AgentConfig(
+      String name,
+      InetAddress address,
+      int port,
+      boolean plainOffLoopback,
+      Path dataDir,
+      double maxLoad,
+      double footprint,
+      DriveKind kind,
+      MotionLimits limits,
+      Following following,
+      ChassisConfig chassis,
+      @Nullable ArmConfig arm) {
+    this(
+        name,
+        address,
+        port,
+        plainOffLoopback,
+        dataDir,
+        maxLoad,
+        footprint,
+        kind,
+        limits,
+        following,
+        chassis,
+        arm,
+        Avoidance.WEIGHTED_DIRECTIONS);
   }
 
   /** That of a robot without an arm. */
@@ -127,7 +162,35 @@ public record AgentConfig(
         limits,
         following,
         chassis,
-        mounted);
+        mounted,
+        avoidance);
+  }
+
+  /** The same with that avoidance. */
+  public AgentConfig withAvoidance(Avoidance other) {
+    return new AgentConfig(
+        name,
+        address,
+        port,
+        plainOffLoopback,
+        dataDir,
+        maxLoad,
+        footprint,
+        kind,
+        limits,
+        following,
+        chassis,
+        arm,
+        other);
+  }
+
+  /** The range sensors of a simulated body. */
+  public RangeSensors rangeSensors() {
+    return switch (avoidance) {
+      case WEIGHTED_DIRECTIONS -> new RangeSensors(footprint / 2);
+      case FOUR_AGENTS ->
+          new RangeSensors(new RangeRing(footprint / 2, RangeSensors.FARTHEST).beamsRightToLeft());
+    };
   }
 
   /**
@@ -138,6 +201,7 @@ public record AgentConfig(
   public static AgentConfig read(Path file) throws ConfigException {
     ConfigSection top = new ConfigSection(file.toString(), "", readKeys(file), KEYS);
     DriveKind kind = kind(top);
+    Avoidance avoidance = avoidance(top);
     AgentConfig config =
         new AgentConfig(
             robotName(top),
@@ -152,10 +216,14 @@ public record AgentConfig(
             following(
                 kind, top.section("following", "law", "placeGain", "headingGain", "linkDelay")),
             ChassisConfig.read(file, top),
-            ArmConfig.read(top));
+            ArmConfig.read(top),
+            avoidance);
     if (!kind.canGoSideways() && !config.chassis.canBeOnTwoWheels()) {
       throw top.invalid(
           "kind", kind.word(), "omni: this project's microcontroller turns three omni wheels");
+    }
+    if (config.avoidance == Avoidance.FOUR_AGENTS) {
+      checkFourAgents(file, config);
     }
     if (config.arm != null && !(config.chassis instanceof ChassisConfig.Simulated)) {
       throw new ConfigException(
@@ -215,6 +283,29 @@ public record AgentConfig(
       }
     }
     throw top.invalid("kind", word, "omni or differential");
+  }
+
+  private static Avoidance avoidance(ConfigSection top) throws ConfigException {
+    String word = top.text("avoidance", Avoidance.WEIGHTED_DIRECTIONS.word());
+    for (Avoidance avoidance : Avoidance.values()) {
+      if (avoidance.word().equals(word)) {
+        return avoidance;
+      }
+    }
+    throw top.invalid("avoidance", word, "weighted-directions or four-agents");
+  }
+
+  private static void checkFourAgents(Path file, AgentConfig config) throws ConfigException {
+    if (config.kind != DriveKind.DIFFERENTIAL) {
+      throw new ConfigException(
+          "%s: \"avoidance: four-agents\" is for robots on two wheels; set \"kind: differential\", or remove it."
+              .formatted(file));
+    }
+    if (!(config.chassis instanceof ChassisConfig.Simulated)) {
+      throw new ConfigException(
+          "%s: \"avoidance: four-agents\" needs eight range sensors, which a chassis of the type simulated has; remove it, or change the chassis."
+              .formatted(file));
+    }
   }
 
   private static MotionLimits limits(ConfigSection top) throws ConfigException {

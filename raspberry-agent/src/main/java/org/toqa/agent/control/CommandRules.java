@@ -6,6 +6,7 @@ import java.util.Set;
 import java.util.stream.Collectors;
 import org.jspecify.annotations.Nullable;
 import org.toqa.agent.config.AgentConfig;
+import org.toqa.agent.config.Avoidance;
 import org.toqa.agent.drive.DriveRules;
 import org.toqa.agent.formation.FormationRules;
 import org.toqa.agent.storage.JournalEntry;
@@ -33,16 +34,18 @@ final class CommandRules {
   private final FormationRules formationRules;
   private final RobotRecord record;
   private final DriveKind kind;
+  private final Avoidance avoidance;
 
   /**
    * @param encrypted whether the link is
    * @param record of the robot
    */
   CommandRules(AgentConfig config, boolean encrypted, RobotRecord record) {
-    this.driveRules = new DriveRules(config.limits());
+    this.driveRules = new DriveRules(config.limits(), config.footprint() / 2);
     this.formationRules = new FormationRules(config, encrypted);
     this.record = record;
     this.kind = config.kind();
+    this.avoidance = config.avoidance();
   }
 
   /** The drive that a command names. */
@@ -118,6 +121,12 @@ final class CommandRules {
   }
 
   Optional<String> objectionTo(Room room, DriveRun run, Activity activity) {
+    if (room.zone() != null) {
+      return activity instanceof Alone && avoidance == Avoidance.FOUR_AGENTS
+          ? driveRules.objectionTo(room, run.trajectory())
+          : Optional.of(
+              "Only a robot that drives alone, with four agents, finds its way through a free zone.");
+    }
     if (!(activity instanceof Alone) || !kind.canGoSideways()) {
       return Optional.of("Only a robot that drives alone, and can go sideways, needs room.");
     }

@@ -1,22 +1,25 @@
 package org.toqa.agent.control;
 
 import java.util.Locale;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.function.LongSupplier;
+import org.jspecify.annotations.Nullable;
 import org.toqa.agent.chassis.ChassisCommand;
 import org.toqa.agent.chassis.ChassisCommand.MoveAt;
+import org.toqa.agent.config.AgentConfig;
 import org.toqa.agent.control.Activity.Tick;
-import org.toqa.agent.drive.MotionLimits;
+import org.toqa.agent.drive.FreeCrossing;
 import org.toqa.agent.drive.ObstacleAvoider;
 import org.toqa.agent.drive.PaceLimits;
 import org.toqa.agent.drive.ReferenceTrajectory;
 import org.toqa.agent.drive.SegmentRunner;
 import org.toqa.geometry.Pose;
+import org.toqa.geometry.Twist;
 import org.toqa.link.message.AgentMessage.Fault;
 import org.toqa.link.message.ServerMessage.Drive;
 import org.toqa.link.message.ServerMessage.Extend;
 import org.toqa.link.message.ServerMessage.Room;
-import org.toqa.motion.DriveKind;
 import org.toqa.motion.PassingRoom;
 
 /**
@@ -32,6 +35,7 @@ final class DriveRun {
   /** Ticks without an obstacle, 0.2 s, after which the body drives by itself again. */
   private static final int CALM_TICKS = 10;
 
+  private final AgentConfig config;
   private final SegmentRunner runner;
   private final PathRelay relay;
   private final ObstacleAvoider avoider;
@@ -39,28 +43,30 @@ final class DriveRun {
   private boolean isCancelled;
   private int calmTicks = CALM_TICKS;
 
+  /** A free zone that the robot finds its own way through; null: none. */
+  private @Nullable PassingRoom zone;
+
+  /** Its way through that; null: it has not come there. */
+  private @Nullable FreeCrossing crossing;
+
   /** Metres that the body has driven by itself, and those at the daemon's velocities. */
   private double byItself;
 
   private double steered;
 
   /**
-   * @param kind of the robot
+   * @param config of the robot
    * @param avoider has seen nothing yet
    * @param pathNumbers of the paths that the body is given: a higher one at each call
    */
-  DriveRun(
-      Drive order,
-      MotionLimits limits,
-      DriveKind kind,
-      ObstacleAvoider avoider,
-      LongSupplier pathNumbers) {
+  DriveRun(Drive order, AgentConfig config, ObstacleAvoider avoider, LongSupplier pathNumbers) {
+    this.config = config;
     this.avoider = avoider;
-    PaceLimits alone = PaceLimits.forSingleRobot(limits);
+    PaceLimits alone = PaceLimits.forSingleRobot(config.limits());
     runner =
         new SegmentRunner(
             new ReferenceTrajectory(order.start(), order.segments(), order.released(), alone),
-            kind,
+            config.kind(),
             avoider);
     relay = new PathRelay(runner.trajectory(), alone, pathNumbers);
     isFinal = order.last();
@@ -76,7 +82,17 @@ final class DriveRun {
   }
 
   void lend(Room order) {
-    avoider.lend(new PassingRoom(order.from(), order.to(), order.left(), order.right()));
+    if (order.zone() == null) {
+      avoider.lend(new PassingRoom(order.from(), order.to(), order.left(), order.right()));
+    } else {
+      zone = new PassingRoom(order.from(), order.to(), 0, 0, order.zone());
+      crossing = null;
+    }
+  }
+
+  /** The free zone that it was lent and has not left. */
+  Optional<PassingRoom> zone() {
+    return isCancelled ? Optional.empty() : Optional.ofNullable(zone);
   }
 
   void cancel() {
@@ -94,6 +110,10 @@ final class DriveRun {
    */
   ChassisCommand steer(Tick tick) {
     boolean canMove = canMove(tick);
+    PassingRoom lent = zone;
+    if (lent != null && trajectory().completedCount() >= lent.from()) {
+      return cross(lent, tick);
+    }
     count(tick, relay.isActive());
     relay.update(tick.reading(), tick.pose());
     avoider.avoidObstacles(trajectory(), tick.seconds(), canMove);
@@ -109,6 +129,48 @@ final class DriveRun {
     }
     return new MoveAt(
         runner.steer(tick.pose(), tick.seconds(), canMove ? avoider.pace(trajectory()) : 0));
+  }
+
+  /** Drives on by one tick, as it finds its way. */
+  private ChassisCommand cross(PassingRoom lent, Tick tick) {
+    FreeCrossing way = crossing;
+    if (way == null) {
+      relay.stop();
+      way =
+          new FreeCrossing(
+              Objects.requireNonNull(lent.zone()),
+              trajectory().startOf(lent.to()),
+              config.limits(),
+              config.footprint() / 2,
+              config.chassis().track(config.kind()),
+              tick.reading().twist());
+      crossing = way;
+    }
+    count(tick, false);
+    Twist velocity = way.step(tick.pose(), tick.reading().ranges(), tick.seconds(), canMove(tick));
+    trajectory().setProgress(progress(lent, way), 0, isCancelled && !isStanding(tick) ? 1 : 0);
+    if (way.isOver()) {
+      trajectory().setProgress(lent.to(), 0, 0);
+      runner.restart();
+      zone = null;
+      crossing = null;
+    }
+    return new MoveAt(velocity);
+  }
+
+  private static boolean isStanding(Tick tick) {
+    return tick.reading().isStanding();
+  }
+
+  /** The segments count as completed whose ends are farther from where it leaves the zone. */
+  private int progress(PassingRoom lent, FreeCrossing way) {
+    Pose exit = trajectory().startOf(lent.to());
+    int completed = trajectory().completedCount();
+    while (completed < lent.to() - 1
+        && trajectory().startOf(completed + 1).distanceTo(exit) >= way.nearest()) {
+      completed++;
+    }
+    return completed;
   }
 
   private boolean canBegin(boolean canMove) {
@@ -189,6 +251,16 @@ final class DriveRun {
 
   /** That the robot stands because it is too far beside its path; empty while it does not. */
   Optional<Fault> fault() {
+    FreeCrossing way = crossing;
+    if (way != null && way.isStuck()) {
+      return Optional.of(
+          new Fault(
+              "ZONE_STUCK",
+              String.format(
+                  Locale.ROOT,
+                  "The robot comes no nearer than %.2f m to where it leaves the free zone; it waits for another path.",
+                  way.nearest())));
+    }
     return runner.isOffPath()
         ? Optional.of(
             new Fault(

@@ -33,6 +33,7 @@ import org.toqa.link.message.AgentMessage.FollowerReport;
 import org.toqa.link.message.AgentMessage.Mode;
 import org.toqa.link.message.AgentMessage.PhaseEnd;
 import org.toqa.link.message.AgentMessage.Reject;
+import org.toqa.link.message.AgentMessage.RoomUse;
 import org.toqa.link.message.ServerMessage.Act;
 import org.toqa.link.message.ServerMessage.Cancel;
 import org.toqa.link.message.ServerMessage.Clear;
@@ -118,7 +119,7 @@ public final class RobotControl {
     ArmConfig mounted = config.arm();
     this.arm =
         mounted == null || armReading == null ? null : new ArmWork(mounted.arm(), armReading);
-    this.avoider = new ObstacleAvoider(config.footprint() / 2, config.kind());
+    this.avoider = newAvoider();
   }
 
   /**
@@ -237,9 +238,8 @@ public final class RobotControl {
   }
 
   private void begin(Drive order) {
-    avoider = new ObstacleAvoider(config.footprint() / 2, config.kind());
-    Optional<DriveRun> drive =
-        Optional.of(new DriveRun(order, config.limits(), config.kind(), avoider, () -> ++lastPath));
+    avoider = newAvoider();
+    Optional<DriveRun> drive = Optional.of(new DriveRun(order, config, avoider, () -> ++lastPath));
     activity =
         activity instanceof Leading(var leader, _) ? new Leading(leader, drive) : new Alone(drive);
     log.info(
@@ -249,6 +249,10 @@ public final class RobotControl {
         order.phase(),
         order.segments().size(),
         order.released());
+  }
+
+  private ObstacleAvoider newAvoider() {
+    return new ObstacleAvoider(config.footprint() / 2, config.kind(), config.rangeSensors());
   }
 
   private void begin(Act order, boolean isRepeated) {
@@ -510,8 +514,8 @@ public final class RobotControl {
         activity.drive().map(DriveRun::reportedSegment).orElse(0),
         activity.drive().map(DriveRun::reportedRelease).orElse(0),
         avoider.obstacles(),
-        avoider.roomUse(),
-        avoider.room().orElse(null),
+        activity.drive().flatMap(DriveRun::zone).map(_ -> RoomUse.HELD).orElse(avoider.roomUse()),
+        activity.drive().flatMap(DriveRun::zone).or(avoider::room).orElse(null),
         activity instanceof Following following ? following.follower().error() : null,
         arm == null ? null : arm.state(),
         faults());

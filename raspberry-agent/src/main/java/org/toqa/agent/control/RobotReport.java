@@ -5,6 +5,7 @@ import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 import org.toqa.agent.chassis.ChassisReading;
 import org.toqa.agent.config.AgentConfig;
+import org.toqa.agent.config.Avoidance;
 import org.toqa.agent.storage.JournalEntry;
 import org.toqa.avoidance.RangeSensors;
 import org.toqa.geometry.Pose;
@@ -73,7 +74,8 @@ public record RobotReport(
         config.arm() == null ? null : config.arm().arm(),
         arm == null ? null : arm.act(),
         entry.acted(),
-        room);
+        room,
+        config.avoidance() == Avoidance.FOUR_AGENTS);
   }
 
   /**

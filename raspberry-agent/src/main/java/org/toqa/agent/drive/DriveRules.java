@@ -11,6 +11,7 @@ import org.toqa.link.message.ServerMessage.Extend;
 import org.toqa.link.message.ServerMessage.Locate;
 import org.toqa.link.message.ServerMessage.Release;
 import org.toqa.link.message.ServerMessage.Room;
+import org.toqa.motion.FreeZone;
 import org.toqa.motion.Segment;
 import org.toqa.motion.Trajectory;
 
@@ -37,9 +38,14 @@ public final class DriveRules {
   private static final double ROUNDING = 1 + 1e-9;
 
   private final MotionLimits limits;
+  private final double radius;
 
-  public DriveRules(MotionLimits limits) {
+  /**
+   * @param radius of the robot, metres
+   */
+  public DriveRules(MotionLimits limits, double radius) {
     this.limits = limits;
+    this.radius = radius;
   }
 
   public Optional<String> objectionTo(Drive drive, Pose robotPose) {
@@ -99,6 +105,10 @@ public final class DriveRules {
           "Room can be lent beside segments that are released, 0 to %d, not %d to %d.",
           trajectory.releasedCount(), room.from(), room.to());
     }
+    FreeZone zone = room.zone();
+    if (zone != null) {
+      return objectionTo(room, zone, trajectory);
+    }
     if (!isWidth(room.left()) || !isWidth(room.right())) {
       return objection(
           "Room beside a path is 0 to %.1f m wide, not %s and %s m.",
@@ -107,6 +117,23 @@ public final class DriveRules {
     for (int i = room.from(); i < room.to(); i++) {
       if (trajectory.segment(i).v() <= 0) {
         return objection("On segment %d the robot does not drive forward; no room helps there.", i);
+      }
+    }
+    return Optional.empty();
+  }
+
+  private Optional<String> objectionTo(Room room, FreeZone zone, ReferenceTrajectory trajectory) {
+    if (room.to() <= trajectory.completedCount()) {
+      return objection("The robot has left segment %d behind already.", room.to() - 1);
+    }
+    if (!(zone.speed() > 0)) {
+      return objection("In a free zone a robot drives faster than 0 m/s, not %s.", zone.speed());
+    }
+    for (int i : List.of(Math.max(room.from(), trajectory.completedCount()), room.to())) {
+      Pose end = trajectory.startOf(i);
+      if (!(zone.inside(end.position(), radius) >= -Trajectory.MAX_DEVIATION)) {
+        return objection(
+            "At (%.2f, %.2f) the robot would reach out of the free zone.", end.x(), end.y());
       }
     }
     return Optional.empty();

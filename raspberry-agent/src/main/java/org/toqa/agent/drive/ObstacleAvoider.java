@@ -66,9 +66,14 @@ public final class ObstacleAvoider {
    *     near to it
    */
   public ObstacleAvoider(double radius, DriveKind kind) {
+    this(radius, kind, new RangeSensors(radius));
+  }
+
+  /** The same with other sensors. */
+  public ObstacleAvoider(double radius, DriveKind kind, RangeSensors sensors) {
     this.radius = radius;
     this.mostAside = kind.canGoSideways() ? Sidestep.MAX_OFFSET : 0;
-    this.sensors = new RangeSensors(radius);
+    this.sensors = sensors;
     this.bypass = new Bypass(radius);
   }
 

@@ -158,6 +158,15 @@ public final class ReferenceTrajectory {
     return (index < here ? -metres : metres) - done;
   }
 
+  /** Where a segment that is not left behind begins, map frame; or where the last one ends. */
+  public Pose startOf(int index) {
+    Pose start = segmentStart;
+    for (Segment segment : segments.subList(completedCount, index)) {
+      start = start.advanced(segment.twist(), segment.t());
+    }
+    return start;
+  }
+
   /** How many segments there are. */
   public int size() {
     return segments.size();

@@ -147,6 +147,16 @@ public final class SegmentRunner {
     settled = false;
   }
 
+  /** The robot has come to where the reference is by another way. */
+  public void restart() {
+    pastReferences.clear();
+    pastReferences.add(trajectory.pose());
+    trail.clear();
+    trail.add(trajectory.pose().position());
+    settled = false;
+    isOffPath = false;
+  }
+
   private FollowerLaw law() {
     return switch (kind) {
       case OMNI -> OMNI;

@@ -97,6 +97,18 @@ class AgentConfigTest {
     assertEquals(new NonHolonomicLaw(Gains.DEFAULT), config.following().law());
   }
 
+  @Test
+  void robotOnTwoWheelsMayHaveFourAgentsAndEightSensors() throws ConfigException, IOException {
+    String kind = "{name: r1, dataDir: d, kind: differential, chassis: {type: simulated}%s}";
+    AgentConfig usual = AgentConfig.read(file(kind.formatted("")));
+    AgentConfig config = AgentConfig.read(file(kind.formatted(", avoidance: four-agents")));
+
+    assertEquals(Avoidance.WEIGHTED_DIRECTIONS, usual.avoidance());
+    assertEquals(Avoidance.FOUR_AGENTS, config.avoidance());
+    assertEquals(3, usual.rangeSensors().beams().size());
+    assertEquals(8, config.rangeSensors().beams().size());
+  }
+
   @ParameterizedTest
   @CsvSource(
       delimiter = '|',
@@ -116,6 +128,9 @@ class AgentConfigTest {
           {name: r1, dataDir: d, chassis: {type: simulated-firmware}} | the key "chassis.socket" is missing.
           {name: r1, dataDir: d, following: {law: fly}} | "following.law" is fly; it must be omni or non-holonomic.
           {name: r1, dataDir: d, kind: legs} | "kind" is legs; it must be omni or differential.
+          {name: r1, dataDir: d, avoidance: luck} | "avoidance" is luck; it must be weighted-directions or four-agents.
+          {name: r1, dataDir: d, avoidance: four-agents, chassis: {type: simulated}} | "avoidance: four-agents" is for robots on two wheels; set "kind: differential", or remove it.
+          {name: r1, dataDir: d, avoidance: four-agents, kind: differential, chassis: {type: serial}} | "avoidance: four-agents" needs eight range sensors, which a chassis of the type simulated has; remove it, or change the chassis.
           {name: r1, dataDir: d, kind: differential, following: {law: omni}} | "following.law" is omni; it must be non-holonomic for a robot that cannot go sideways.
           {name: r1, dataDir: d, kind: differential, chassis: {type: spi}} | "kind" is differential; it must be omni: this project's microcontroller turns three omni wheels.
           {name: r1, dataDir: d, following: {placeGain: 50}} | "following.placeGain" is 50; it must be a number from 0.1 to 5.

@@ -1,0 +1,176 @@
+package org.toqa.fleet;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.nio.file.Path;
+import java.time.Duration;
+import java.util.List;
+import java.util.concurrent.atomic.AtomicBoolean;
+import java.util.concurrent.atomic.AtomicLong;
+import java.util.concurrent.atomic.DoubleAccumulator;
+import java.util.function.DoubleFunction;
+import java.util.stream.IntStream;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+import org.toqa.geometry.Vec2;
+import org.toqa.grid.Area;
+import org.toqa.grid.FloorDrawing;
+import org.toqa.grid.FloorMap;
+import org.toqa.grid.Margins;
+import org.toqa.grid.OccupancyGrid;
+import org.toqa.grid.Place;
+import org.toqa.mission.TaskState;
+import org.toqa.sim.SimulatedFloor;
+
+/**
+ * A whole server with real daemons that have four agents, in a hall with a free zone in its middle,
+ * which is as wide as the hall.
+ */
+@Timeout(200)
+class FreeZoneFleetTest {
+  private static final double SPEED = 200;
+  private static final double SIZE = 0.3;
+  private static final double ROBOT = 0.255 / 2;
+
+  private static final String[] HALL = {
+    "#############################",
+    "#...........................#",
+    "#...........................#",
+    "#...........................#",
+    "#...........................#",
+    "#...........................#",
+    "#...........................#",
+    "#...........................#",
+    "#...........................#",
+    "#...........................#",
+    "#...........................#",
+    "#############################",
+  };
+
+  private static final Area ZONE = new Area(new Vec2(2.7, 0.3), 3.3, 3);
+
+  @TempDir private Path folder;
+
+  @SuppressWarnings("NullAway.Init") // by open, first of all
+  private LiveFloor live;
+
+  private final DoubleAccumulator nearest =
+      new DoubleAccumulator(Math::min, Double.POSITIVE_INFINITY);
+
+  /** Whether the zone was stored as a robot's own. */
+  private final AtomicBoolean wasLent = new AtomicBoolean();
+
+  private void open(String[] rows, Vec2... parking) throws Exception {
+    OccupancyGrid drawn = OccupancyGrid.parse(rows);
+    FloorDrawing drawing =
+        new FloorDrawing(
+                new OccupancyGrid(drawn.width(), drawn.height(), SIZE, Vec2.ZERO, drawn.occupied()),
+                List.of(
+                    new Place("A", cell(4, 5)),
+                    new Place("B", cell(25, 5)),
+                    new Place("C", cell(25, 8)),
+                    new Place("D", cell(4, 8)),
+                    new Place("Middle", cell(15, 5))),
+                IntStream.range(0, parking.length)
+                    .mapToObj(i -> new Place("P" + (i + 1), parking[i]))
+                    .toList(),
+                List.of(),
+                List.of(),
+                List.of(),
+                List.of())
+            .withFreeZones(List.of(ZONE));
+    FloorMap floor = new FloorMap("hall", drawing, Margins.USUAL);
+    live = LiveFloor.withFourAgents(folder, floor, SimulatedFloor.of(floor), SPEED);
+    live.clock.add(_ -> wasLent.compareAndSet(false, live.isZoneLent()), Duration.ofSeconds(1));
+    live.start();
+  }
+
+  @AfterEach
+  void close() throws Exception {
+    live.close();
+  }
+
+  @Test
+  void aTaskThroughTheZonePassesWhatMovesInIt() throws Exception {
+    open(HALL, cell(2, 2));
+    // to and fro across the way, at 0.1 m/s
+    walk(0.15, seconds -> new Vec2(4.4, 1.65 + 0.7 * Math.sin(0.14 * seconds)));
+    long there = live.submit(2, "A", "B");
+    awaitDone(there);
+    long back = live.submit(2, "C", "D");
+    awaitDone(back);
+    assertTrue(nearest.get() > 0, "came as near as " + nearest);
+    assertTrue(nearest.get() < 0.6, "never met it: " + nearest);
+    assertTrue(wasLent.get(), "was never lent the zone");
+  }
+
+  @Test
+  void aPointInTheZoneIsDrivenToAndLeft() throws Exception {
+    open(HALL, cell(2, 2));
+    long task = live.submit(2, "A", "Middle");
+    FleetSnapshot done = awaitDone(task);
+    assertTrue(wasLent.get(), "was never lent the zone");
+    assertEquals(1, done.robots().size());
+  }
+
+  @Test
+  void whatTheMapShowsInTheZoneIsGoneRound() throws Exception {
+    String[] rows = HALL.clone();
+    rows[5] = rows[5].substring(0, 14) + "##" + rows[5].substring(16);
+    rows[6] = rows[6].substring(0, 14) + "##" + rows[6].substring(16);
+    open(rows, cell(2, 2));
+    awaitDone(live.submit(2, "A", "B"));
+    assertTrue(wasLent.get(), "was never lent the zone");
+  }
+
+  /** {@link LiveFloor} judges that they never touch. */
+  @Test
+  void twoRobotsGetThroughOneAfterTheOther() throws Exception {
+    open(HALL, cell(2, 2), cell(26, 2));
+    long there = live.submit(2, "A", "B");
+    long back = live.submit(2, "C", "D");
+    awaitDone(there);
+    awaitDone(back);
+    assertTrue(wasLent.get(), "was never lent the zone");
+  }
+
+  @Test
+  void whoDoesNotFindItsWayIsGivenAPath() throws Exception {
+    open(HALL, cell(2, 2));
+    // a wall of boxes but for a gap that the agents' margins close and a path does not
+    for (int i = 0; i < 5; i++) {
+      live.world.putObstacle("box " + i, new Vec2(4.4, 0.5 + 0.3 * i), 0.15);
+      live.world.putObstacle("more " + i, new Vec2(4.4, 2.75 + 0.3 * i), 0.15);
+    }
+    long task = live.submit(2, "A", "B");
+    awaitDone(task);
+    assertTrue(wasLent.get(), "was never lent the zone");
+  }
+
+  private FleetSnapshot awaitDone(long task) throws Exception {
+    return live.await(view -> LiveFloor.isInState(view, task, TaskState.DONE));
+  }
+
+  private void walk(double radius, DoubleFunction<Vec2> place) {
+    AtomicLong steps = new AtomicLong();
+    live.clock.add(
+        _ -> {
+          double seconds = steps.incrementAndGet() * 0.02;
+          Vec2 at = place.apply(seconds);
+          live.world.putObstacle("person", at, radius);
+          live.robots
+              .truePose("r1")
+              .ifPresent(
+                  truth -> nearest.accumulate(truth.position().distanceTo(at) - radius - ROBOT));
+        },
+        Duration.ofMillis(20));
+  }
+
+  /** The middle of a cell, counted from below. */
+  private static Vec2 cell(int column, int row) {
+    return new Vec2((column + 0.5) * SIZE, (row + 0.5) * SIZE);
+  }
+}
