@@ -103,12 +103,21 @@ final class Rig implements AutoCloseable {
     this.folder = folder;
     this.config = body;
     this.wrapper = wrapper;
+    if (body instanceof ChassisConfig.Simulated simulated
+        && simulated.surroundings() instanceof RoundObstacles things) {
+      things.follow(this::nanos);
+    }
     daemon = open();
   }
 
   /** The daemon's body. */
   Chassis body() {
     return Objects.requireNonNull(body);
+  }
+
+  /** The robot's time. */
+  long nanos() {
+    return nanos;
   }
 
   Daemon daemon() {

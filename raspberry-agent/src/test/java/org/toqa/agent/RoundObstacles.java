@@ -2,6 +2,7 @@ package org.toqa.agent;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.function.LongSupplier;
 import org.toqa.agent.chassis.Surroundings;
 import org.toqa.geometry.Angles;
 import org.toqa.geometry.Pose;
@@ -10,10 +11,9 @@ import org.toqa.geometry.Vec2;
 /** A floor with round things; it watches how near the robot really comes to any of them. */
 final class RoundObstacles implements Surroundings {
   private static final double STEP = 0.001;
-  private static final double TICK = 0.02;
 
-  /** Metres a tick; who is slower stands. */
-  private static final double STANDING = 0.0002;
+  /** Metres a second; who is slower stands. */
+  private static final double STANDING = 0.01;
 
   private static final double ROBOT = 0.255 / 2;
 
@@ -23,16 +23,18 @@ final class RoundObstacles implements Surroundings {
   private Vec2 walkingFrom = Vec2.ZERO;
   private Pose truth = Rig.START;
   private Pose last = Rig.START;
-  private boolean wasHitStanding;
+  private boolean wasDrivenInto;
   private double nearest = Double.POSITIVE_INFINITY;
+  private LongSupplier clock = () -> 0;
+  private long lastNanos;
 
   private record Obstacle(Vec2 middle, double radius, Vec2 velocity) {
     double gap(Vec2 point) {
       return middle.distanceTo(point) - radius;
     }
 
-    Obstacle afterStep() {
-      return new Obstacle(middle.plus(velocity.times(TICK)), radius, velocity);
+    Obstacle after(double seconds) {
+      return new Obstacle(middle.plus(velocity.times(seconds)), radius, velocity);
     }
   }
 
@@ -59,6 +61,16 @@ final class RoundObstacles implements Surroundings {
     put(middle, radius);
   }
 
+  /**
+   * Things move by that clock from now on; before, they stand.
+   *
+   * @param nanos of the robot's time
+   */
+  void follow(LongSupplier nanos) {
+    clock = nanos;
+    lastNanos = nanos.getAsLong();
+  }
+
   void clear() {
     obstacles.clear();
   }
@@ -67,9 +79,9 @@ final class RoundObstacles implements Surroundings {
     isMiddleBlind = true;
   }
 
-  /** Whether something drove into the robot that stood, before it drove into anything. */
-  boolean wasHitStanding() {
-    return wasHitStanding;
+  /** Whether the robot, by its own motion, ever came nearer to a thing that it touched. */
+  boolean wasDrivenInto() {
+    return wasDrivenInto;
   }
 
   /** Where the robot really is. */
@@ -85,18 +97,20 @@ final class RoundObstacles implements Surroundings {
   @Override
   public void setTruePose(Pose now) {
     truth = now;
-    obstacles.replaceAll(Obstacle::afterStep);
+    double seconds = (clock.getAsLong() - lastNanos) / 1e9;
+    lastNanos = clock.getAsLong();
+    obstacles.replaceAll(thing -> thing.after(seconds));
     if (!walking.equals(Vec2.ZERO)) {
       Vec2 walked = walking.times(now.x() - Rig.START.x());
       obstacles.replaceAll(
           thing -> new Obstacle(walkingFrom.plus(walked), thing.radius(), Vec2.ZERO));
     }
-    double moved = now.distanceTo(last);
+    double least = STANDING * seconds;
+    wasDrivenInto |=
+        obstacles.stream()
+            .filter(thing -> thing.gap(now.position()) < ROBOT)
+            .anyMatch(thing -> thing.gap(last.position()) - thing.gap(now.position()) > least);
     last = now;
-    boolean isTouched = obstacles.stream().anyMatch(thing -> thing.gap(now.position()) < ROBOT);
-    if (isTouched && nearest > 0 && moved < STANDING) {
-      wasHitStanding = true;
-    }
     obstacles.forEach(thing -> nearest = Math.min(nearest, thing.gap(now.position()) - ROBOT));
   }
 

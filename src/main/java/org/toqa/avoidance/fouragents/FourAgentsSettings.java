@@ -117,6 +117,21 @@ public record FourAgentsSettings(
         convergence);
   }
 
+  /** The same with sensors that see as far as that, metres from the rim. */
+  public FourAgentsSettings withSensorRange(double metres) {
+    return new FourAgentsSettings(
+        body,
+        metres,
+        danger,
+        arrival,
+        margin,
+        approach,
+        cruise,
+        hysteresis,
+        tolerance,
+        convergence);
+  }
+
   /** The same with another hysteresis. */
   public FourAgentsSettings withHysteresis(double difference) {
     return new FourAgentsSettings(

@@ -2,6 +2,7 @@ package org.toqa.agent.drive;
 
 import java.util.ArrayList;
 import java.util.List;
+import org.toqa.avoidance.RangeSensors;
 import org.toqa.avoidance.fouragents.DifferentialBody;
 import org.toqa.avoidance.fouragents.FourAgents;
 import org.toqa.avoidance.fouragents.FourAgentsSettings;
@@ -34,6 +35,9 @@ public final class FreeCrossing {
    */
   private static final double DANGER_SECONDS = 2;
 
+  /** Times what is dangerous: farther than that is far, as it is for the seed's sensors. */
+  private static final double FAR = 2;
+
   /** Metres, radians; so near it is there. */
   private static final double THERE = 0.015;
 
@@ -41,9 +45,6 @@ public final class FreeCrossing {
 
   /** It turns by so much of what is missing a second. */
   private static final double TURNING = 2;
-
-  /** Seconds until the wheels turn as they were told. */
-  private static final double REACTION = 0.15;
 
   /** Metres nearer than ever before that count as progress. */
   private static final double PROGRESS = 0.05;
@@ -58,6 +59,7 @@ public final class FreeCrossing {
   private final FourAgentsSettings settings;
   private final FourAgents agents;
   private final List<StaticObstacle> known;
+  private final ContactGuard guard;
   private FourAgents.State state = FourAgents.State.START;
   private Twist told;
   private double nearest = Double.POSITIVE_INFINITY;
@@ -78,11 +80,16 @@ public final class FreeCrossing {
     this.limits = limits;
     double speed = Math.min(Math.min(FASTEST, zone.speed()), limits.speed());
     this.body = new DifferentialBody(radius, track, speed, limits.acceleration());
+    double danger = DANGER_SECONDS * speed;
     this.settings =
-        FourAgentsSettings.of(body).withArrival(ARRIVAL).withDanger(DANGER_SECONDS * speed);
+        FourAgentsSettings.of(body)
+            .withArrival(ARRIVAL)
+            .withDanger(danger)
+            .withSensorRange(FAR * danger);
     this.agents = new FourAgents(settings);
     this.known =
         zone.obstacles().stream().map(o -> new StaticObstacle(o.centre(), o.radius())).toList();
+    this.guard = new ContactGuard(settings.ring(), limits.acceleration());
     this.told = start;
   }
 
@@ -113,6 +120,7 @@ public final class FreeCrossing {
   public Twist step(Pose robot, List<Double> ranges, double seconds, boolean canMove) {
     double left = robot.position().distanceTo(exit.position());
     count(left, seconds, canMove);
+    guard.look(robot, ranges, known, seconds);
     Twist wanted = Twist.ZERO;
     if (canMove && !isStuck() && !isOver) {
       isArrived |= left < THERE;
@@ -142,13 +150,21 @@ public final class FreeCrossing {
     if (ranges.size() != RangeRing.SIZE) {
       return Twist.ZERO;
     }
-    List<Double> seen = RangeRing.ordered(ranges);
+    List<Double> seen =
+        RangeRing.ordered(guard.filled(robot, ranges)).stream().map(this::seen).toList();
     FourAgents.Decision decision =
         agents.step(
             state,
             new FourAgents.Input(robot, walled(robot, seen), exit.position(), known, seconds));
     state = decision.state();
-    return body.twist(decision.wheels());
+    Twist wanted = body.twist(decision.wheels());
+    double speed = guard.retreating(robot, wanted.vx(), body.wheelSpeed());
+    return new Twist(speed, 0, wanted.w());
+  }
+
+  /** What shows nothing is as far away as the agents count. */
+  private double seen(double range) {
+    return range >= RangeSensors.FARTHEST ? settings.sensorRange() : range;
   }
 
   /** What the sensors would read if the zone's border were a wall, where something is near. */
@@ -192,12 +208,13 @@ public final class FreeCrossing {
         told.w() + Math.clamp(wanted.w() - told.w(), -mostTurn, mostTurn));
   }
 
-  /** The same, slower where the robot could not stop inside the zone and off what is known. */
+  /** The same, slower where the robot could not stop inside the zone and off all that is there. */
   private Twist within(Pose robot, Twist wanted) {
     double v = wanted.vx();
     for (int i = 0; i < 8 && v != 0; i++) {
-      if (isStopInside(robot, v)) {
-        return new Twist(v, 0, wanted.w());
+      Twist tried = new Twist(v, 0, wanted.w());
+      if (isStopInside(robot, v) && guard.isSafe(robot, tried)) {
+        return tried;
       }
       v = i == 7 ? 0 : v / 2;
     }
@@ -206,7 +223,7 @@ public final class FreeCrossing {
 
   /** Whether it stops inside, or comes no farther out than it is. */
   private boolean isStopInside(Pose robot, double v) {
-    double metres = v * REACTION + v * Math.abs(v) / (2 * limits.acceleration());
+    double metres = v * ContactGuard.REACTION + v * Math.abs(v) / (2 * limits.acceleration());
     Vec2 stop = robot.compose(new Pose(metres, 0, 0)).position();
     Vec2 here = robot.position();
     if (zone.inside(stop, body.radius()) < Math.min(0, zone.inside(here, body.radius()))) {
