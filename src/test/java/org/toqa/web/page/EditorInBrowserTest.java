@@ -90,7 +90,7 @@ class EditorInBrowserTest extends PagesInBrowser {
     page.locator("#difference").click();
     assertThat(page.locator("#changes-summary"))
         .hasText(
-            "New wall: 124 cells. Removed wall: 0 cells. Places and areas changed: 6."
+            "New wall: 124 cells. Removed wall: 0 cells. Places and areas changed: 7."
                 + " Robots that meet nobody drive on a smooth curve.");
     assertFits(page, "editor", PHONE, DARK_PHONE, DARK);
     assertEquals(List.of(), Accessibility.faultsOfColours(page, "editor in the dark"));
