@@ -50,8 +50,7 @@ public record SimulatedRobot(
 
   /** The same with cameras that see so far, metres. */
   public SimulatedRobot withCamera(double range) {
-    return new SimulatedRobot(
-        name, start, maxLoad, battery, kind, firmware, arm, range, avoidance);
+    return new SimulatedRobot(name, start, maxLoad, battery, kind, firmware, arm, range, avoidance);
   }
 
   /** The same on two wheels, with eight range sensors and four agents. */

@@ -213,7 +213,9 @@ class SupervisionFleetTest {
   /** The box is carried elsewhere; it is in view from where the supervisor waits. */
   private void cancelsWhatNobodyHasWhenItIsStopped() throws Exception {
     assertInstanceOf(
-        Answer.Accepted.class, start("r2", Map.of(2, new Vec2(1.25, 2.25))), "the last one is done");
+        Answer.Accepted.class,
+        start("r2", Map.of(2, new Vec2(1.25, 2.25))),
+        "the last one is done");
     await(s -> box(2).task() != null);
     Answer<Supervision> stopped =
         supervisor.stop("rooms", "Max").toCompletableFuture().get(10, TimeUnit.SECONDS);

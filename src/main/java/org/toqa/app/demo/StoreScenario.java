@@ -150,8 +150,7 @@ final class StoreScenario {
                 robot ->
                     robot.name().equals(SUPERVISOR)
                         && robot.telemetry().readings().camera() != null)
-        && robots.stream()
-            .allMatch(robot -> robot.state().kind() == RobotState.Kind.OPERATIONAL);
+        && robots.stream().allMatch(robot -> robot.state().kind() == RobotState.Kind.OPERATIONAL);
   }
 
   /** Whether it has ended. */
