@@ -45,6 +45,7 @@ final class FormAttacks {
           "/notices/webhooks/{id}/secret",
           "/notices/webhooks/{id}/test",
           "/notices/webhooks/{id}/delete",
+          "/orders/{id}/hold",
           "/orders/{id}/resume",
           "/network/{id}/delete",
           "/cameras/{id}/delete",

@@ -327,7 +327,13 @@ final class FormCases {
                 and(refused("floor", "state"), Map.of("text", TAKEN)))
             .answeredWith(200),
         FormCase.of("loads", "/loads", Map.of(), refused("floor")).answeredWith(200),
-        FormCase.of("schedules", "/schedules", Map.of(), refused("floor")).answeredWith(200));
+        FormCase.of(
+                "schedules",
+                "/schedules",
+                Map.of(),
+                and(refused("floor", "state"), Map.of("text", TAKEN)))
+            .answeredWith(200),
+        FormCase.of("users", "/users", Map.of(), Map.of("text", TAKEN)).answeredWith(200));
   }
 
   private FormCases() {}
