@@ -9,33 +9,23 @@ import java.time.Duration;
 import java.util.Arrays;
 import java.util.Base64;
 import java.util.Locale;
-import java.util.concurrent.Executors;
-import java.util.concurrent.ScheduledExecutorService;
-import java.util.concurrent.ScheduledFuture;
-import java.util.concurrent.TimeUnit;
+import org.apache.hc.client5.http.SystemDefaultDnsResolver;
 import org.apache.hc.client5.http.classic.methods.HttpGet;
-import org.apache.hc.client5.http.config.ConnectionConfig;
-import org.apache.hc.client5.http.config.RequestConfig;
-import org.apache.hc.client5.http.impl.classic.CloseableHttpClient;
-import org.apache.hc.client5.http.impl.classic.HttpClients;
-import org.apache.hc.client5.http.impl.io.PoolingHttpClientConnectionManagerBuilder;
 import org.apache.hc.core5.http.ClassicHttpResponse;
 import org.apache.hc.core5.http.Header;
 import org.apache.hc.core5.http.HttpEntity;
-import org.apache.hc.core5.http.io.SocketConfig;
-import org.apache.hc.core5.util.Timeout;
 import org.toqa.camera.PictureAnswer.Away;
 import org.toqa.camera.PictureAnswer.Reason;
 import org.toqa.camera.PictureAnswer.Shown;
+import org.toqa.outbound.OutboundHttp;
 
 /**
  * Asks cameras for one picture: for a still, or for the first picture of a stream (MJPEG, that is
- * {@code multipart/x-mixed-replace}). Redirects are not followed; size and time are bounded; what
- * is no picture by its type and its first bytes is not handed on, since a browser would trust it as
- * this server's.
+ * {@code multipart/x-mixed-replace}). Size is bounded; what is no picture by its type and its first
+ * bytes is not handed on, since a browser would trust it as this server's.
  */
 final class CameraClient implements AutoCloseable {
-  private static final Timeout LIMIT = Timeout.ofSeconds(3);
+  private static final Duration LIMIT = Duration.ofSeconds(3);
 
   /** Of a request as a whole, also of a camera that answers a byte now and then. */
   private static final Duration WHOLE_LIMIT = Duration.ofSeconds(5);
@@ -49,36 +39,9 @@ final class CameraClient implements AutoCloseable {
   private static final String PNG = "image/png";
   private static final String STREAM = "multipart/x-mixed-replace";
 
-  private final CloseableHttpClient client =
-      HttpClients.custom()
-          .setConnectionManager(
-              PoolingHttpClientConnectionManagerBuilder.create()
-                  .setDefaultConnectionConfig(
-                      ConnectionConfig.custom()
-                          .setConnectTimeout(LIMIT)
-                          .setSocketTimeout(LIMIT)
-                          .build())
-                  .setDefaultSocketConfig(SocketConfig.custom().setSoTimeout(LIMIT).build())
-                  .setMaxConnPerRoute(MOST_CONNECTIONS)
-                  .setMaxConnTotal(MOST_CONNECTIONS)
-                  .build())
-          .setDefaultRequestConfig(
-              RequestConfig.custom()
-                  .setResponseTimeout(LIMIT)
-                  .setConnectionRequestTimeout(LIMIT)
-                  .build())
-          .setConnectionReuseStrategy((request, response, context) -> false)
-          .setUserAgent("Toqa")
-          .disableRedirectHandling()
-          .disableAutomaticRetries()
-          .disableCookieManagement()
-          .disableAuthCaching()
-          .disableContentCompression()
-          .build();
-
-  private final ScheduledExecutorService limiter =
-      Executors.newSingleThreadScheduledExecutor(
-          Thread.ofVirtual().name("limit of cameras").factory());
+  private final OutboundHttp http =
+      new OutboundHttp(
+          "cameras", LIMIT, WHOLE_LIMIT, MOST_CONNECTIONS, SystemDefaultDnsResolver.INSTANCE);
 
   /** Its picture of now; waits for it. */
   PictureAnswer ask(URI url) {
@@ -87,15 +50,10 @@ final class CameraClient implements AutoCloseable {
       byte[] user = url.getUserInfo().getBytes(StandardCharsets.UTF_8);
       request.setHeader("Authorization", "Basic " + Base64.getEncoder().encodeToString(user));
     }
-    ScheduledFuture<?> end =
-        limiter.schedule(request::abort, WHOLE_LIMIT.toMillis(), TimeUnit.MILLISECONDS);
     try {
-      return read(client.executeOpen(null, request, null));
+      return http.send(request, CameraClient::read);
     } catch (IOException e) {
       return new Away(Reason.NO_ANSWER);
-    } finally {
-      end.cancel(false);
-      request.abort(); // of a stream nobody reads on
     }
   }
 
@@ -209,7 +167,6 @@ final class CameraClient implements AutoCloseable {
 
   @Override
   public void close() throws IOException {
-    limiter.shutdownNow();
-    client.close();
+    http.close();
   }
 }

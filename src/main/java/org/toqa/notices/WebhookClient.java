@@ -9,29 +9,20 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
-import java.util.concurrent.Executors;
-import java.util.concurrent.ScheduledExecutorService;
-import java.util.concurrent.ScheduledFuture;
-import java.util.concurrent.TimeUnit;
 import org.apache.hc.client5.http.DnsResolver;
 import org.apache.hc.client5.http.classic.methods.HttpPost;
-import org.apache.hc.client5.http.config.ConnectionConfig;
-import org.apache.hc.client5.http.config.RequestConfig;
-import org.apache.hc.client5.http.impl.classic.CloseableHttpClient;
-import org.apache.hc.client5.http.impl.classic.HttpClients;
-import org.apache.hc.client5.http.impl.io.PoolingHttpClientConnectionManagerBuilder;
+import org.apache.hc.core5.http.ClassicHttpResponse;
 import org.apache.hc.core5.http.ContentType;
-import org.apache.hc.core5.http.io.SocketConfig;
 import org.apache.hc.core5.http.io.entity.StringEntity;
-import org.apache.hc.core5.util.Timeout;
+import org.toqa.outbound.OutboundHttp;
 
 /**
  * Posts to webhooks. The address that a name has is checked and then really connected to, each
- * time, so that a name which leads elsewhere a moment later helps nobody; redirects are not
- * followed, no proxy is asked, and of an answer nothing but its status is read.
+ * time, so that a name which leads elsewhere a moment later helps nobody; of an answer nothing but
+ * its status is read.
  */
 final class WebhookClient implements AutoCloseable {
-  private static final Timeout LIMIT = Timeout.ofSeconds(10);
+  private static final Duration LIMIT = Duration.ofSeconds(10);
 
   /** Of a request as a whole, also of a receiver that answers a byte now and then. */
   private static final Duration WHOLE_LIMIT = Duration.ofSeconds(20);
@@ -40,40 +31,12 @@ final class WebhookClient implements AutoCloseable {
   private static final int REDIRECT = 300;
 
   private final WebhookAddresses addresses;
-  private final CloseableHttpClient client;
-  private final ScheduledExecutorService limiter =
-      Executors.newSingleThreadScheduledExecutor(
-          Thread.ofVirtual().name("limit of webhooks").factory());
+  private final OutboundHttp http;
 
   WebhookClient(WebhookAddresses addresses) {
     this.addresses = addresses;
-    this.client =
-        HttpClients.custom()
-            .setConnectionManager(
-                PoolingHttpClientConnectionManagerBuilder.create()
-                    .setDnsResolver(new CheckedResolver())
-                    .setDefaultConnectionConfig(
-                        ConnectionConfig.custom()
-                            .setConnectTimeout(LIMIT)
-                            .setSocketTimeout(LIMIT)
-                            .build())
-                    .setDefaultSocketConfig(SocketConfig.custom().setSoTimeout(LIMIT).build())
-                    .setMaxConnPerRoute(Webhook.MOST)
-                    .setMaxConnTotal(Webhook.MOST)
-                    .build())
-            .setDefaultRequestConfig(
-                RequestConfig.custom()
-                    .setResponseTimeout(LIMIT)
-                    .setConnectionRequestTimeout(LIMIT)
-                    .build())
-            .setConnectionReuseStrategy((request, response, context) -> false)
-            .setUserAgent("Toqa")
-            .disableRedirectHandling()
-            .disableAutomaticRetries()
-            .disableCookieManagement()
-            .disableAuthCaching()
-            .disableContentCompression()
-            .build();
+    this.http =
+        new OutboundHttp("webhooks", LIMIT, WHOLE_LIMIT, Webhook.MOST, new CheckedResolver());
   }
 
   /** Resolves to addresses only to which a webhook may lead. */
@@ -113,16 +76,9 @@ final class WebhookClient implements AutoCloseable {
     HttpPost request = new HttpPost(url);
     headers.forEach(request::setHeader);
     request.setEntity(new StringEntity(body, ContentType.APPLICATION_JSON));
-    ScheduledFuture<?> end =
-        limiter.schedule(request::abort, WHOLE_LIMIT.toMillis(), TimeUnit.MILLISECONDS);
-    try {
-      int status = client.executeOpen(null, request, null).getCode();
-      if (status < SUCCESS || status >= REDIRECT) {
-        throw new IOException("It answered with the status " + status + ".");
-      }
-    } finally {
-      end.cancel(false);
-      request.abort(); // nobody reads on
+    int status = http.send(request, ClassicHttpResponse::getCode);
+    if (status < SUCCESS || status >= REDIRECT) {
+      throw new IOException("It answered with the status " + status + ".");
     }
   }
 
@@ -137,7 +93,6 @@ final class WebhookClient implements AutoCloseable {
 
   @Override
   public void close() throws IOException {
-    limiter.shutdownNow();
-    client.close();
+    http.close();
   }
 }
