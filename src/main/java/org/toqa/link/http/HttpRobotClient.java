@@ -99,6 +99,10 @@ public final class HttpRobotClient implements AutoCloseable {
   /** An order on its way, and its answer. */
   public static final class Exchange {
     private final CompletableFuture<HttpResponse<byte[]>> sent;
+
+    /** The answer, once it is known when it came. */
+    private final CompletableFuture<HttpResponse<byte[]>> answered;
+
     private final long begun;
     private volatile long ended;
     private volatile boolean isCancelled;
@@ -106,7 +110,7 @@ public final class HttpRobotClient implements AutoCloseable {
     private Exchange(CompletableFuture<HttpResponse<byte[]>> sent, long begun) {
       this.sent = sent;
       this.begun = begun;
-      var _ = sent.whenComplete((_, _) -> ended = System.nanoTime());
+      this.answered = sent.whenComplete((_, _) -> ended = System.nanoTime());
     }
 
     /** When the order was sent, by {@link System#nanoTime}. */
@@ -114,7 +118,7 @@ public final class HttpRobotClient implements AutoCloseable {
       return begun;
     }
 
-    /** When the answer came, of an exchange that is done. */
+    /** When the answer came, of an exchange that is done; else when it failed or was given up. */
     public long ended() {
       return ended;
     }
@@ -126,7 +130,7 @@ public final class HttpRobotClient implements AutoCloseable {
      */
     public boolean await(Duration limit) {
       try {
-        var _ = sent.get(limit.toNanos(), TimeUnit.NANOSECONDS);
+        var _ = answered.get(limit.toNanos(), TimeUnit.NANOSECONDS);
         return true;
       } catch (TimeoutException e) {
         return false;
@@ -134,7 +138,7 @@ public final class HttpRobotClient implements AutoCloseable {
         return true;
       } catch (InterruptedException e) {
         Thread.currentThread().interrupt();
-        return sent.isDone();
+        return answered.isDone();
       }
     }
 
@@ -145,7 +149,7 @@ public final class HttpRobotClient implements AutoCloseable {
      */
     public WheelReport report() throws HttpRobotException {
       try {
-        return HttpRobotCodec.decodeReport(body(sent.join()));
+        return HttpRobotCodec.decodeReport(body(answered.join()));
       } catch (CancellationException e) {
         throw new HttpRobotException(Reason.DOES_NOT_ANSWER, "it does not answer in time", e);
       } catch (CompletionException e) {

@@ -46,6 +46,9 @@ final class CountedOdometry implements AutoCloseable {
   private long lastAsked;
   private long lastAnswered;
 
+  /** After which it was told nothing more. */
+  private long lastOrdered;
+
   /** What a report has shown of the counts. */
   enum Outcome {
     CONTINUED,
@@ -83,7 +86,11 @@ final class CountedOdometry implements AutoCloseable {
   Outcome update(WheelReport report, long asked, long answered) {
     int[] now = {(int) report.left(), (int) report.right()}; // as counters wrap around
     double seconds = last == null ? STOPPED_AFTER : (answered - lastAnswered) / 1e9;
-    double atMost = last == null ? STOPPED_AFTER : (answered - lastAsked) / 1e9;
+    double atMost =
+        last == null
+            ? STOPPED_AFTER
+            : Math.min(
+                (answered - lastAsked) / 1e9, (lastOrdered - lastAsked) / 1e9 + STOPPED_AFTER);
     Outcome outcome = outcome(report, now, atMost);
     if (outcome == Outcome.CONTINUED) {
       twist = last == null ? Twist.ZERO : twist(report, last, now, seconds);
@@ -99,17 +106,27 @@ final class CountedOdometry implements AutoCloseable {
     last = report;
     lastAsked = asked;
     lastAnswered = answered;
+    lastOrdered = asked;
     Pose pose = odometry.pose();
     file.write(
         (double) epoch, (double) boot, pose.x(), pose.y(), pose.theta(), counts[0], counts[1]);
     return outcome;
   }
 
+  /**
+   * An order had no answer; it may have been obeyed.
+   *
+   * @param givenUp when it was
+   */
+  void miss(long givenUp) {
+    lastOrdered = givenUp;
+  }
+
   private Outcome outcome(WheelReport report, int[] now, double seconds) {
     if (epoch == 0 || report.boot() != boot) {
       return Outcome.BEGUN_ANEW;
     }
-    double farthest = FASTER * body.maxSpeed() * Math.min(seconds, STOPPED_AFTER) + SLACK;
+    double farthest = FASTER * body.maxSpeed() * seconds + SLACK;
     return isWithin(farthest, now[0] - counts[0]) && isWithin(farthest, now[1] - counts[1])
         ? Outcome.CONTINUED
         : Outcome.JUMPED;

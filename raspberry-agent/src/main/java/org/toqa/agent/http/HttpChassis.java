@@ -209,6 +209,7 @@ public final class HttpChassis implements Chassis {
       }
       take(exchange, nanos);
     } catch (HttpRobotException e) {
+      odometry.miss(exchange.ended());
       failure = e;
       listener.failed(e);
     }

@@ -56,6 +56,16 @@ class CountedOdometryTest {
     assertEquals(Outcome.CONTINUED, odometry.update(report(0.01 + 0.15), ms(331), ms(333)));
   }
 
+  /** It drove by them all the same. */
+  @Test
+  void answersThatWereLostMakeTheNextNoJump() {
+    for (int order = 1; order <= 10; order++) {
+      odometry.miss(ms(200L * order));
+    }
+    assertEquals(Outcome.CONTINUED, odometry.update(report(1), ms(2_100), ms(2_102)));
+    assertEquals(Outcome.JUMPED, odometry.update(report(2), ms(2_130), ms(2_132)));
+  }
+
   @Test
   void moreThanWheelsCanTurnIsAJump() {
     assertEquals(Outcome.CONTINUED, odometry.update(report(0.01), ms(30), ms(32)));
