@@ -14,9 +14,6 @@
     </div>
     <div class="choices">
       <a role="button" class="outline secondary" href="${root}/tasks?followed=true"><fmt:message key="tasks.followed"/></a>
-      <a role="button" class="outline secondary" href="${root}/history"><fmt:message key="tasks.history"/></a>
-      <a role="button" class="outline secondary" href="${root}/loads"><fmt:message key="loads.title"/></a>
-      <a role="button" class="outline secondary" href="${root}/schedules"><fmt:message key="tasks.schedules"/></a>
       <c:if test="${caller.mayOrder()}">
         <a role="button" class="outline secondary" href="${root}/tasks/import"><fmt:message key="tasks.import"/></a>
         <a role="button" href="${root}/tasks/new"><fmt:message key="tasks.new"/></a>

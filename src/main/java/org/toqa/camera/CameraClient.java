@@ -94,7 +94,7 @@ final class CameraClient implements AutoCloseable {
         isBounded = true;
       } else if (line.isEmpty() && isBounded && !type.isEmpty()) {
         // Without a length the picture would end where the next part begins, a moment later.
-        return length < 0 ? jpegUntilItsEnd(type, stream) : picture(type, stream, length);
+        return length < 0 ? jpegUntilItsEnd(type, stream) : part(type, stream, length);
       } else if (header[0].equalsIgnoreCase("Content-Type")) {
         type = mediaType(header.length > 1 ? header[1] : "");
       } else if (header[0].equalsIgnoreCase("Content-Length")
@@ -139,6 +139,14 @@ final class CameraClient implements AutoCloseable {
       last = next;
     }
     return new Away(Reason.TOO_LARGE);
+  }
+
+  private static PictureAnswer part(String type, InputStream stream, int length)
+      throws IOException {
+    PictureAnswer answer = picture(type, stream, length);
+    return answer instanceof Shown(byte[] bytes, _) && bytes.length < length
+        ? new Away(Reason.NO_ANSWER)
+        : answer;
   }
 
   private static PictureAnswer picture(String type, InputStream body, int length)

@@ -132,6 +132,14 @@ class CamerasTest {
     assertShown(cameras.picture(camera("/stream.mjpg")));
   }
 
+  @Test
+  void pictureOfAStreamThatEndsBeforeItsLengthIsNotHandedOn() {
+    end.countDown();
+    stream("Content-Type: image/jpeg\r\nContent-Length: 10\r\n");
+
+    assertEquals(new Away(Reason.NO_ANSWER), cameras.picture(camera("/stream.mjpg")));
+  }
+
   @ParameterizedTest
   @CsvSource({
     "302, image/jpeg, REFUSED", // it might lead anywhere

@@ -218,6 +218,7 @@ class HistoryInBrowserTest extends PagesInBrowser {
 
   private void openHistory() {
     open("history");
+    page().locator("main summary").click();
   }
 
   private void show() {
