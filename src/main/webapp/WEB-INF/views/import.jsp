@@ -45,7 +45,7 @@
       <h2><fmt:message key="import.columns"/></h2>
       <p class="faint"><fmt:message key="import.columns.intro"/></p>
       <dl>
-        <c:forTokens items="name,load,pieces,start,startX_startY,goal,goalX_goalY,stops,startWait_goalWait,carriedBy,floor,priority,deadline,onlyRobots,length_width" delims="," var="column">
+        <c:forTokens items="name,kind,load,pieces,start,startX_startY,goal,goalX_goalY,stops,startWait_goalWait,carriedBy,floor,priority,deadline,onlyRobots,length_width" delims="," var="column">
           <dt><c:forTokens items="${column}" delims="_" var="name"><code dir="ltr">${name}</code>${" "}</c:forTokens></dt>
           <dd><fmt:message key="import.columns.${column}"/><c:if test="${column == 'deadline'}">${" "}<bdi id="zone-name"><fmt:message key="newTask.deadline.utc"/></bdi></c:if></dd>
         </c:forTokens>

@@ -155,6 +155,6 @@
   </aside>
   <c:set var="stateKeys" value=""/>
   <c:forEach items="${robotStates}" var="state"><c:set var="stateKeys" value="${stateKeys} robot.state.${state} robot.letter.${state}"/></c:forEach>
-  <t:texts keys="map.live camera.failed map.speedLimit map.age map.measure.start map.measure.goal map.measure.asking map.measure.metres map.measure.cells map.measure.failed map.seenAgo replay.label replay.play replay.pause replay.driving replay.stopped replay.task replay.loadAt replay.loadOn replay.loading replay.none map.disconnected map.loggedOut map.loggedOut.link map.failed map.standstill map.charger map.chargers map.leftLoad map.expected map.tasks.more common.comma task.state.QUEUED task.state.ASSIGNED task.state.TO_OBJECT task.state.CARRYING task.state.RETURNING${stateKeys}"/>
+  <t:texts keys="map.live camera.failed map.speedLimit map.age map.measure.start map.measure.goal map.measure.asking map.measure.metres map.measure.cells map.measure.failed map.seenAgo replay.label replay.play replay.pause replay.driving replay.stopped replay.task replay.loadAt replay.loadOn replay.loading replay.none map.disconnected map.loggedOut map.loggedOut.link map.failed map.standstill map.charger map.chargers map.leftLoad map.expected map.tasks.more common.comma task.state.QUEUED task.state.ASSIGNED task.state.TO_OBJECT task.state.drive task.state.CARRYING task.state.RETURNING${stateKeys}"/>
 </jsp:body>
 </t:page>

@@ -19,10 +19,17 @@
         <c:otherwise><input type="hidden" name="idempotencyKey" value="<c:out value="${idempotencyKey}"/>"></c:otherwise>
       </c:choose>
       <t:field name="name" label="newTask.name" hint="newTask.name.hint" focus="true"/>
+      <c:if test="${not edits}">
+        <label for="kind"><fmt:message key="newTask.kind"/></label>
+        <select id="kind" name="kind" ${empty errors.kind ? '' : 'aria-invalid="true"'}>
+          <c:forTokens items="transport,drive" delims="," var="choice"><option value="${choice}" ${choice == param.kind ? 'selected' : ''}><fmt:message key="newTask.kind.${choice}"/></option></c:forTokens>
+        </select>
+        <c:if test="${not empty errors.kind}"><small class="wrong"><bdi><c:out value="${errors.kind}"/></bdi></small></c:if>
+      </c:if>
       <c:choose>
         <c:when test="${edits}"><t:field name="load" label="newTask.load" inputmode="decimal"/></c:when>
         <c:otherwise>
-          <div class="grid">
+          <div class="grid" data-for="transport">
             <div><t:field name="load" label="newTask.load" inputmode="decimal"/></div>
             <div><t:field name="pieces" label="newTask.pieces" hint="newTask.pieces.hint" inputmode="numeric" optional="true" value="1"/></div>
           </div>
@@ -39,7 +46,7 @@
       </c:choose>
       <c:forTokens items="start,goal" delims="," var="end">
         <c:set var="stationField" value="${end}Station"/>
-        <fieldset class="place" ${not empty errors[end] ? 'aria-invalid="true"' : ''}>
+        <fieldset class="place" ${end == 'start' ? 'data-for="transport"' : ''} ${not empty errors[end] ? 'aria-invalid="true"' : ''}>
           <legend><fmt:message key="newTask.${end}"/></legend>
           <div>
             <label for="${stationField}"><fmt:message key="newTask.station"/></label>
@@ -55,7 +62,7 @@
       </c:forTokens>
       <c:set var="usesArm" value="${not empty param.pickX or not empty param.pickY or not empty param.placeX or not empty param.placeY or not empty errors.arm or not empty errors['arm.pick'] or not empty errors['arm.place']}"/>
       <c:if test="${hasArms or usesArm}">
-        <details class="stops" ${usesArm ? 'open' : ''}>
+        <details class="stops" data-for="transport" ${usesArm ? 'open' : ''}>
           <summary><fmt:message key="newTask.arm"/></summary>
           <p class="faint"><c:choose><c:when test="${not empty errors.arm}"><bdi class="wrong"><c:out value="${errors.arm}"/></bdi></c:when><c:otherwise><fmt:message key="newTask.arm.hint"/></c:otherwise></c:choose></p>
           <c:forTokens items="pick,place" delims="," var="end">
@@ -75,12 +82,12 @@
         <c:set var="chosenStops" value="${chosenStops}${param.startWait}${param.goalWait}"/>
         <details class="stops" ${not empty chosenStops or not empty errors.stop ? 'open' : ''}>
           <summary><fmt:message key="newTask.stops"/></summary>
-          <p class="faint" id="stop-help"><c:choose><c:when test="${not empty errors.stop}"><bdi class="wrong"><c:out value="${errors.stop}"/></bdi></c:when><c:otherwise><fmt:message key="newTask.stops.hint"/></c:otherwise></c:choose></p>
+          <p class="faint" id="stop-help"><c:choose><c:when test="${not empty errors.stop}"><bdi class="wrong"><c:out value="${errors.stop}"/></bdi></c:when><c:otherwise><span data-for="transport"><fmt:message key="newTask.stops.hint"/></span><span data-for="drive"><fmt:message key="newTask.stops.drive.hint"/></span></c:otherwise></c:choose></p>
           <div class="grid">
             <c:forTokens items="start,goal" delims="," var="end">
               <c:set var="waitField" value="${end}Wait"/>
               <fmt:message key="newTask.${end}" var="endLabel"/>
-              <div><label><fmt:message key="newTask.wait.at"><fmt:param value="${endLabel}"/></fmt:message><fmt:message key="newTask.wait.at" var="label"><fmt:param value="${endLabel}"/></fmt:message><t:wait-choice name="${waitField}" label="${label}" chosen="${param[waitField]}"/></label></div>
+              <div ${end == 'start' ? 'data-for="transport"' : ''}><label><fmt:message key="newTask.wait.at"><fmt:param value="${endLabel}"/></fmt:message><fmt:message key="newTask.wait.at" var="label"><fmt:param value="${endLabel}"/></fmt:message><t:wait-choice name="${waitField}" label="${label}" chosen="${param[waitField]}"/></label></div>
             </c:forTokens>
           </div>
           <c:forEach begin="0" end="3" var="at">
@@ -92,10 +99,12 @@
             <fmt:message key="newTask.wait.at" var="waitLabel"><fmt:param value="${label}"/></fmt:message>
             <t:wait-choice name="stopWait" label="${waitLabel}" chosen="${paramValues.stopWait[at]}"/>
           </c:forEach>
-          <label for="carriedBy"><fmt:message key="newTask.carriedBy"/></label>
-          <select id="carriedBy" name="carriedBy">
-            <c:forTokens items="legs,one" delims="," var="choice"><option value="${choice}" ${choice == param.carriedBy ? 'selected' : ''}><fmt:message key="newTask.carriedBy.${choice}"/></option></c:forTokens>
-          </select>
+          <div data-for="transport">
+            <label for="carriedBy"><fmt:message key="newTask.carriedBy"/></label>
+            <select id="carriedBy" name="carriedBy">
+              <c:forTokens items="legs,one" delims="," var="choice"><option value="${choice}" ${choice == param.carriedBy ? 'selected' : ''}><fmt:message key="newTask.carriedBy.${choice}"/></option></c:forTokens>
+            </select>
+          </div>
         </details>
       </c:if>
       <c:if test="${not empty robots or not empty paramValues.onlyRobots}">
@@ -124,7 +133,7 @@
             <c:forTokens items="10,0,-10" delims="," var="level"><option value="${level}" ${level == priority ? 'selected' : ''}><fmt:message key="newTask.priority.${level}"/></option></c:forTokens>
           </select>
         </div>
-        <fieldset class="size" ${not empty errors['size.length'] or not empty errors['size.width'] or not empty errors.size ? 'aria-invalid="true"' : ''}>
+        <fieldset class="size" data-for="transport" ${not empty errors['size.length'] or not empty errors['size.width'] or not empty errors.size ? 'aria-invalid="true"' : ''}>
           <legend><fmt:message key="newTask.size"/></legend>
           <input id="length" name="length" inputmode="decimal" dir="ltr" autocomplete="off" aria-label="<fmt:message key="newTask.size.length"/>" value="${fn:escapeXml(param.length)}" aria-describedby="size-help">
           <span aria-hidden="true">×</span>
@@ -180,7 +189,7 @@
     <div class="picker">
       <fieldset class="choice">
         <legend><fmt:message key="newTask.setOnMap"/></legend>
-        <label><input type="radio" name="picks" value="start" checked> <fmt:message key="newTask.start"/></label>
+        <label data-for="transport"><input type="radio" name="picks" value="start" checked> <fmt:message key="newTask.start"/></label>
         <label><input type="radio" name="picks" value="goal"> <fmt:message key="newTask.goal"/></label>
       </fieldset>
       <canvas id="map" tabindex="0" role="img" aria-label="${mapLabel}" data-floor="${fn:escapeXml(floor.name())}"></canvas>
@@ -188,5 +197,5 @@
       <output id="preview" class="preview" dir="auto" for="load startStation goalStation" hidden></output>
     </div>
   </div>
-  <t:texts keys="common.comma map.speedLimit newTask.start newTask.goal map.failed newTask.preview.chosen newTask.preview.needs newTask.preview.waits newTask.preview.metres"/>
+  <t:texts keys="common.comma map.speedLimit newTask.start newTask.goal map.failed newTask.preview.chosen newTask.preview.needs newTask.preview.waits newTask.preview.metres newTask.preview.driven"/>
 </t:page>

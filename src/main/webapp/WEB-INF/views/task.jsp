@@ -16,7 +16,7 @@
         <p class="faint">${title}</p>
         <h1><bdi><c:out value="${task.task.name}"/></bdi></h1>
       </div>
-      <t:state of="task" state="${task.state}"/>
+      <t:state of="task" state="${task.state}" drive="${task.task.isDrive()}"/>
     </div>
     <c:if test="${not empty task.waitingFor}"><p class="notice"><t:said sentence="${task.waitingFor}"/></p></c:if>
     <c:if test="${mayGoOn and task.isWaitingAtStop() and not task.held}">
@@ -36,7 +36,7 @@
       <fmt:message key="task.progress" var="label"/>
       <ol class="steps" aria-label="${label}">
         <c:forEach items="${timeline}" var="state" varStatus="at">
-          <li class="${at.index < reached or state == 'DONE' and reached == at.index ? 'passed' : at.index == reached ? 'here' : 'ahead'}" ${at.index == reached ? 'aria-current="step"' : ''}><fmt:message key="task.state.${state}"/></li>
+          <li class="${at.index < reached or state == 'DONE' and reached == at.index ? 'passed' : at.index == reached ? 'here' : 'ahead'}" ${at.index == reached ? 'aria-current="step"' : ''}><fmt:message key="task.state.${task.task.isDrive() and state == 'TO_OBJECT' ? 'drive' : state}"/></li>
         </c:forEach>
       </ol>
     </c:if>
@@ -44,7 +44,7 @@
       <article>
         <dl>
           <c:if test="${not empty task.task.part}"><dt><fmt:message key="order.onTask"/></dt><dd><t:part part="${task.task.part}" order="${order}"/></dd></c:if>
-          <dt><fmt:message key="task.load"/></dt><dd><fmt:message key="common.kilograms"><fmt:param value="${load}"/></fmt:message></dd>
+          <dt><fmt:message key="task.load"/></dt><dd><c:choose><c:when test="${task.task.isDrive()}"><fmt:message key="task.load.none"/></c:when><c:otherwise><fmt:message key="common.kilograms"><fmt:param value="${load}"/></fmt:message></c:otherwise></c:choose></dd>
           <c:if test="${not empty task.task.size}">
             <fmt:formatNumber value="${task.task.size.length}" maxFractionDigits="2" var="length"/>
             <fmt:formatNumber value="${task.task.size.width}" maxFractionDigits="2" var="width"/>
@@ -79,7 +79,7 @@
           <dt><fmt:message key="newTask.priority"/></dt><dd><c:choose><c:when test="${usualPriority}"><fmt:message key="newTask.priority.${task.task.priority}"/></c:when><c:otherwise>${task.task.priority}</c:otherwise></c:choose></dd>
           <c:if test="${not empty task.expected}">
             <c:if test="${not empty task.expected.pickUp}"><dt><fmt:message key="task.expected.pickUp"/></dt><dd id="expected-pick-up"><t:time at="${task.expected.pickUp}"/></dd></c:if>
-            <dt><fmt:message key="task.expected.delivery"/></dt><dd id="expected-delivery"><c:choose><c:when test="${not empty task.expected.delivery}"><t:time at="${task.expected.delivery}"/></c:when><c:otherwise><t:said sentence="${task.expected.unknown}"/></c:otherwise></c:choose></dd>
+            <dt><fmt:message key="task.expected.${task.task.isDrive() ? 'end' : 'delivery'}"/></dt><dd id="expected-delivery"><c:choose><c:when test="${not empty task.expected.delivery}"><t:time at="${task.expected.delivery}"/></c:when><c:otherwise><t:said sentence="${task.expected.unknown}"/></c:otherwise></c:choose></dd>
           </c:if>
           <c:if test="${not empty task.task.deadline}"><dt><fmt:message key="task.deadline"/></dt><dd><t:time at="${task.task.deadline}"/></dd></c:if>
           <dt><fmt:message key="task.user"/></dt><dd><bdi><c:out value="${task.task.user}"/></bdi></dd>

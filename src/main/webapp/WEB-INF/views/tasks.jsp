@@ -87,9 +87,9 @@
             <tr>
               <td class="number">${view.task.id}</td>
               <th scope="row"><a href="${root}/tasks/${view.task.id}"><bdi><c:out value="${view.task.name}"/></bdi></a><c:if test="${not empty view.task.part}"><small class="part"><t:part part="${view.task.part}" order="${orders[view.task.part.order]}"/></small></c:if></th>
-              <td><t:state of="task" state="${view.state}"/></td>
-              <td class="number" data-label="<fmt:message key="tasks.column.load"/>"><fmt:message key="common.kilograms"><fmt:param value="${load}"/></fmt:message></td>
-              <td data-label="<fmt:message key="tasks.column.fromTo"/>"><span><t:place place="${view.task.start}"/> – <t:place place="${view.task.goal}"/><c:if test="${fn:length(floors) > 1}"><br><small class="faint"><bdi><c:out value="${view.task.floor}"/></bdi></small></c:if></span></td>
+              <td><t:state of="task" state="${view.state}" drive="${view.task.isDrive()}"/></td>
+              <td class="number" data-label="<fmt:message key="tasks.column.load"/>"><c:choose><c:when test="${view.task.isDrive()}"><span class="faint">–</span></c:when><c:otherwise><fmt:message key="common.kilograms"><fmt:param value="${load}"/></fmt:message></c:otherwise></c:choose></td>
+              <td data-label="<fmt:message key="tasks.column.fromTo"/>"><span><c:if test="${not view.task.isDrive() or fn:length(view.task.stops) > 1}"><t:place place="${view.task.start}"/> – </c:if><t:place place="${view.task.goal}"/><c:if test="${fn:length(floors) > 1}"><br><small class="faint"><bdi><c:out value="${view.task.floor}"/></bdi></small></c:if></span></td>
               <td data-label="<fmt:message key="tasks.column.robots"/>"><t:robots names="${view.robots}"/></td>
               <td data-label="<fmt:message key="tasks.column.expected"/>"><c:if test="${not empty view.expected}"><c:choose><c:when test="${not empty view.expected.delivery}"><t:time at="${view.expected.delivery}"/></c:when><c:otherwise><small class="faint"><t:said sentence="${view.expected.unknown}"/></small></c:otherwise></c:choose></c:if></td>
               <td data-label="<fmt:message key="tasks.column.user"/>"><bdi><c:out value="${view.task.user}"/></bdi></td>

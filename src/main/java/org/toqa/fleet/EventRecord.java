@@ -87,14 +87,22 @@ public record EventRecord(
     String who = event instanceof MissionEvent.OperatorCommand command ? command.user() : SYSTEM;
     long task = step.mission().id();
     String floor = step.mission().task().floor();
-    boolean isOnTheWay =
-        event instanceof MissionEvent.PhaseEnded e
-            && e.phase() == Phase.TO_GOAL
-            && !step.mission().task().stops().isEmpty()
-            && !step.mission().state().isDelivered();
-    EventKind kind = isOnTheWay ? EventKind.TASK_AT_STOP : EventKind.of(event);
+    EventKind kind =
+        isAtStop(step.mission(), event) ? EventKind.TASK_AT_STOP : EventKind.of(event);
     return step.history().stream()
         .map(said -> new EventRecord(at, kind, task, robot, who, said).onFloor(floor))
         .toList();
+  }
+
+  /** Whether a robot has come to a stop of its way, at which nothing is delivered. */
+  private static boolean isAtStop(Mission after, MissionEvent event) {
+    if (!(event instanceof MissionEvent.PhaseEnded ended)) {
+      return false;
+    }
+    return after.task().isDrive()
+        ? ended.phase() == Phase.TO_OBJECT
+        : ended.phase() == Phase.TO_GOAL
+            && !after.task().stops().isEmpty()
+            && !after.state().isDelivered();
   }
 }

@@ -77,7 +77,7 @@ public record LoadView(
   private static boolean isKnown(TaskView task) {
     OrderPart part = task.task().part();
     boolean isWithOther = task.state() == TaskState.QUEUED && part != null && part.awaitsPrevious();
-    return !task.state().isEnded() && !isWithOther;
+    return !task.state().isEnded() && !isWithOther && !task.task().isDrive();
   }
 
   /** What it will fetch where another task left it. */

@@ -10,6 +10,7 @@ import org.jspecify.annotations.Nullable;
 import org.toqa.geometry.Vec2;
 import org.toqa.mission.ArmHandling;
 import org.toqa.mission.Stop;
+import org.toqa.mission.TaskKind;
 import org.toqa.mission.TaskPlace;
 import org.toqa.mission.TransportTask;
 import org.toqa.mission.TransportTask.LoadSize;
@@ -18,7 +19,7 @@ import org.toqa.mission.TransportTask.LoadSize;
  * An order for a transport task, as a form or the API brings it. The fleet checks it against the
  * floor and the robots; the web has checked only its shape.
  *
- * @param load kilograms
+ * @param load kilograms; 0: a drive without a load, which has stops, one or more
  * @param floor null: the one of {@link FloorChoice}
  * @param onlyRobots names of those that may carry it; empty: whichever there are
  * @param arm null: no arm picks it up
@@ -121,7 +122,7 @@ public record TaskOrder(
   /**
    * The same along these stops.
    *
-   * @param way at least two
+   * @param way at least two; of a drive at least one
    */
   public TaskOrder along(List<StopOrder> way) {
     return new TaskOrder(
@@ -136,6 +137,15 @@ public record TaskOrder(
         onlyRobots,
         way,
         arm);
+  }
+
+  /** Whether nothing is carried. */
+  public boolean isDrive() {
+    return load == 0;
+  }
+
+  public TaskKind kind() {
+    return isDrive() ? TaskKind.DRIVE : TaskKind.TRANSPORT;
   }
 
   /** All places of its way, the start first and the goal last. */

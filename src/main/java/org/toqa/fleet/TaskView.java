@@ -168,15 +168,15 @@ public record TaskView(
 
   /** Where its load still goes, the place first where it is fetched if it is not on board. */
   public List<TaskPlace> placesAhead() {
-    List<TaskPlace> stops = task.placesFrom(Math.max(1, progress.stop()));
+    List<TaskPlace> stops = task.placesFrom(task.stopAfterFirst(progress));
     return state == TaskState.CARRYING
         ? stops
         : Stream.concat(Stream.of(object()), stops.stream()).toList();
   }
 
-  /** Where the load is fetched. */
+  /** Where the load is fetched; of a drive the stop that its robot has not left. */
   public TaskPlace object() {
-    return loadAt != null ? loadAt : task.start();
+    return loadAt != null ? loadAt : task.firstPlace(progress);
   }
 
   public long id() {

@@ -101,9 +101,9 @@ public record Mission(
         : assignedRobots.stream().map(AssignedRobot::robot).toList();
   }
 
-  /** Where the load is fetched. */
+  /** Where the load is fetched; of a drive the stop that its robot has not left. */
   public TaskPlace object() {
-    return setDownPlace != null ? setDownPlace : task.start();
+    return setDownPlace != null ? setDownPlace : task.firstPlace(progress);
   }
 
   /** Where the load is if that is neither its start nor its goal; null too while it is carried. */
@@ -161,6 +161,18 @@ public record Mission(
     return Math.max(1, progress.stop());
   }
 
+  /**
+   * The number, from 0, of the stop to which its robots drive in that phase; 0 too where that is
+   * none.
+   */
+  public int stopNumber(Phase phase) {
+    return switch (phase) {
+      case TO_OBJECT -> task.isDrive() ? progress.stop() : 0;
+      case TO_GOAL -> stopNumber();
+      case HOME, NONE -> 0;
+    };
+  }
+
   private Stop stopAhead() {
     return task.route().get(stopNumber());
   }
@@ -193,9 +205,16 @@ public record Mission(
             .isPresent();
   }
 
-  /** Whether they wait where the load is fetched first. */
-  boolean isToWaitAtStart() {
-    return progress.stop() == 0 && setDownPlace == null && task.route().getFirst().hasWait();
+  /** Whether they wait where the load is fetched first, or of a drive where it has come. */
+  boolean isToWaitAtObject() {
+    return task.isDrive()
+        ? task.route().get(progress.stop()).hasWait()
+        : progress.stop() == 0 && setDownPlace == null && task.route().getFirst().hasWait();
+  }
+
+  /** Whether it is a drive that leads no further than the stop that its robot has not left. */
+  boolean isDriveAtLastStop() {
+    return task.isDrive() && progress.stop() == task.route().size() - 1;
   }
 
   /** Whether they wait at the stop to which they bring the load. */

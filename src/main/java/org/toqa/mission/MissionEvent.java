@@ -18,7 +18,8 @@ public sealed interface MissionEvent {
   /**
    * The robot has driven the phase to its end.
    *
-   * @param stop the number, from 0, of the stop where it has come in the first two phases
+   * @param stop the number, from 0, of the stop where it has come; see {@link
+   *     Mission#stopNumber(Phase)}
    * @param at since when a wait there counts
    */
   record PhaseEnded(String robot, Phase phase, int stop, Instant at) implements OfRobot {

@@ -37,7 +37,9 @@ final class OperatorCommandRules {
     return switch (mission.state()) {
       case CANCELLED -> Optional.empty();
       case DONE, FAILED -> objectionToChange(mission);
-      case RETURNING -> Optional.of(Objection.of(Phrase.DELIVERED_ALREADY.with()));
+      case RETURNING -> Optional.of(Objection.of(
+                  (mission.task().isDrive() ? Phrase.DRIVEN_ALREADY : Phrase.DELIVERED_ALREADY)
+                      .with()));
       case CARRYING ->
           cancel.choice() == null && mission.ending() == null
               ? Optional.of(setDownObjection(mission))

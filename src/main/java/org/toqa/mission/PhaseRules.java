@@ -15,7 +15,11 @@ final class PhaseRules {
     }
     return mission
         .withState(TaskState.TO_OBJECT)
-        .step(List.of(), Phrase.SET_OUT.with(event.robot()));
+        .step(
+            List.of(),
+            mission.task().isDrive()
+                ? Phrase.SET_OUT_FOR.with(event.robot(), mission.object().sentence())
+                : Phrase.SET_OUT.with(event.robot()));
   }
 
   static Mission.Step onPhaseEnded(Mission mission, MissionEvent.PhaseEnded event) {
@@ -74,9 +78,10 @@ final class PhaseRules {
 
   /** One that was told twice has nothing to do with the next stop. */
   private static boolean isOfOtherStop(Mission mission, MissionEvent.PhaseEnded event) {
-    return event.phase() == Phase.TO_GOAL
+    boolean isAlongStops = event.phase() == (mission.task().isDrive() ? Phase.TO_OBJECT : Phase.TO_GOAL);
+    return isAlongStops
         && mission.ending() == null
-        && event.stop() != mission.stopNumber();
+        && event.stop() != mission.stopNumber(event.phase());
   }
 
   private static Mission.Step arriveAtObject(Mission mission, MissionEvent.PhaseEnded event) {
@@ -84,13 +89,48 @@ final class PhaseRules {
     if (!isComplete(mission)) {
       return mission.withState(TaskState.TO_OBJECT).step(List.of(), one);
     }
-    return mission.isToWaitAtStart()
-        ? waitAt(0, mission.withState(TaskState.TO_OBJECT), one, event)
-        : pickUp(mission, ofSeveral(mission, one));
+    return mission.isToWaitAtObject()
+        ? waitAt(mission.stopNumber(Phase.TO_OBJECT), mission.withState(TaskState.TO_OBJECT), one, event)
+        : leaveObject(mission, ofSeveral(mission, one));
   }
 
-  /** Its robots, all at the load, drive on with it. */
-  static Mission.Step pickUp(Mission mission, List<Sentence> before) {
+  /** Its robots, all at the load, drive on with it; a drive's robot drives on. */
+  static Mission.Step leaveObject(Mission mission, List<Sentence> before) {
+    return mission.task().isDrive() ? driveOn(mission, before) : pickUp(mission, before);
+  }
+
+  /** To the next stop, or home from the last one. */
+  private static Mission.Step driveOn(Mission mission, List<Sentence> before) {
+    Sentence where = mission.object().sentence();
+    if (mission.isDriveAtLastStop()) {
+      return goHome(mission, followed(before, Phrase.DRIVE_ENDED.with(where)));
+    }
+    int next = mission.progress().stop() + 1;
+    Mission going =
+        mission
+            .withAssignedRobots(inPhase(mission, Phase.TO_OBJECT))
+            .withProgress(new StopProgress(next, null))
+            .withState(TaskState.TO_OBJECT);
+    return going.step(
+        going.driveCommands(Phase.TO_OBJECT),
+        followed(before, leaves(where, next, mission)));
+  }
+
+  private static Sentence leaves(Sentence where, int next, Mission mission) {
+    return Phrase.LEAVES_STOP.with(where, next, mission.task().route().size());
+  }
+
+  private static Mission.Step goHome(Mission mission, Sentence[] history) {
+    Mission returning =
+        mission
+            .withAssignedRobots(inPhase(mission, Phase.HOME))
+            .withState(TaskState.RETURNING)
+            .withLoadAt(null)
+            .withTrouble(null);
+    return returning.step(returning.driveCommands(Phase.HOME), history);
+  }
+
+  private static Mission.Step pickUp(Mission mission, List<Sentence> before) {
     Mission carrying =
         mission
             .withAssignedRobots(inPhase(mission, Phase.TO_GOAL))
@@ -115,14 +155,7 @@ final class PhaseRules {
   static Mission.Step leaveStop(Mission mission, List<Sentence> before) {
     Sentence where = mission.destination().sentence();
     if (mission.isAtLastStop()) {
-      Mission returning =
-          mission
-              .withAssignedRobots(inPhase(mission, Phase.HOME))
-              .withState(TaskState.RETURNING)
-              .withLoadAt(null)
-              .withTrouble(null);
-      return returning.step(
-          returning.driveCommands(Phase.HOME), followed(before, Phrase.DELIVERED.with(where)));
+      return goHome(mission, followed(before, Phrase.DELIVERED.with(where)));
     }
     int next = mission.stopNumber() + 1;
     Mission going =
@@ -131,7 +164,7 @@ final class PhaseRules {
             .withProgress(new StopProgress(next, null));
     return going.step(
         going.driveCommands(Phase.TO_GOAL),
-        followed(before, Phrase.LEAVES_STOP.with(where, next, mission.task().route().size())));
+        followed(before, leaves(where, next, mission)));
   }
 
   private static Mission.Step arriveAtDestination(Mission mission, MissionEvent.PhaseEnded event) {

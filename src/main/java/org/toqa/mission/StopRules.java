@@ -37,6 +37,6 @@ final class StopRules {
     Mission going = mission.withProgress(mission.progress().withoutWait());
     return mission.state() == TaskState.CARRYING
         ? PhaseRules.leaveStop(going, List.of(why))
-        : PhaseRules.pickUp(going, List.of(why));
+        : PhaseRules.leaveObject(going, List.of(why));
   }
 }

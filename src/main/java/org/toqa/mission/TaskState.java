@@ -6,11 +6,11 @@ public enum TaskState {
   QUEUED,
   /** Robots are chosen; none has moved for it yet. */
   ASSIGNED,
-  /** Phase 1: the robots drive to the object. */
+  /** Phase 1: the robots drive to the object; of a drive without a load all of it. */
   TO_OBJECT,
   /** Phase 2: the load is carried to its goal. */
   CARRYING,
-  /** Phase 3: the load is delivered, the robots drive home. */
+  /** Phase 3: the load is delivered, or the drive has ended, and the robots drive home. */
   RETURNING,
   DONE,
   FAILED,

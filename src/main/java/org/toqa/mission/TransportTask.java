@@ -7,9 +7,9 @@ import java.util.stream.IntStream;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What was asked for: carry this load from here to there.
+ * What was asked for: carry this load from here to there, or drive somewhere without one.
  *
- * @param load kilograms
+ * @param load kilograms; 0: a drive without a load, which has stops, one or more
  * @param priority higher is served first; 0 is usual
  * @param deadline when it should be delivered, if anybody said so
  * @param size of the load, if anybody said so
@@ -20,7 +20,7 @@ import org.jspecify.annotations.Nullable;
  * @param onlyRobots names of those that may carry it; empty: whichever there are
  * @param arm null: the load is put onto the robot and taken from it
  * @param stops all of its way, the start first and the goal last; empty: from start to goal, and
- *     nobody waits
+ *     nobody waits. A drive's start is the first place to which it leads
  */
 public record TransportTask(
     long id,
@@ -124,6 +124,32 @@ public record TransportTask(
     return copy(id, start, goal, user, owner, part, onlyRobots, way, arm);
   }
 
+  /** Whether nothing is carried: its robot drives from stop to stop, and that is all. */
+  public boolean isDrive() {
+    return load == 0;
+  }
+
+  public TaskKind kind() {
+    return isDrive() ? TaskKind.DRIVE : TaskKind.TRANSPORT;
+  }
+
+  /**
+   * Where its robots go first to get on with it.
+   *
+   * @param progress how far it has come
+   */
+  public TaskPlace firstPlace(StopProgress progress) {
+    return isDrive() ? route().get(progress.stop()).place() : start;
+  }
+
+  /**
+   * The number, from 0, of the stop that follows the place to which its robots go first; of a drive
+   * that is at its last one there is none.
+   */
+  public int stopAfterFirst(StopProgress progress) {
+    return isDrive() ? progress.stop() + 1 : Math.max(1, progress.stop());
+  }
+
   /** All of its way, the start first and the goal last. */
   public List<Stop> route() {
     return stops.isEmpty() ? List.of(Stop.at(start), Stop.at(goal)) : stops;
@@ -138,7 +164,7 @@ public record TransportTask(
     return route().stream().skip(stop).map(Stop::place).toList();
   }
 
-  /** What it carries from each stop to the next one, as if that were all. */
+  /** What it carries from each stop to the next one, as if that were all; a drive to one: none. */
   public List<TransportTask> legs() {
     List<TaskPlace> places = placesFrom(0);
     return IntStream.range(1, places.size())

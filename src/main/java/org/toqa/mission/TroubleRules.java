@@ -125,7 +125,8 @@ final class TroubleRules {
           Question.about(
               trouble,
               Question.Kind.NOT_FETCHED,
-              Phrase.ASK_FOR_ANOTHER.with(trouble.sentence()),
+              (mission.task().isDrive() ? Phrase.ASK_FOR_ANOTHER_TO_DRIVE : Phrase.ASK_FOR_ANOTHER)
+                  .with(trouble.sentence()),
               answers));
     }
     Phrase question =
@@ -185,7 +186,10 @@ final class TroubleRules {
             ? mission.withLoadAt(trouble.place())
             : mission;
     return queued.unassignAll(
-        TaskState.QUEUED, sentence, Phrase.WAITS_FOR_ROBOT.with(queued.object().sentence()));
+        TaskState.QUEUED,
+        sentence,
+        (queued.task().isDrive() ? Phrase.DRIVE_WAITS_FOR_ROBOT : Phrase.WAITS_FOR_ROBOT)
+            .with(queued.object().sentence()));
   }
 
   private static boolean isCarrying(Mission mission) {

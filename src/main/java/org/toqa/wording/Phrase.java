@@ -179,6 +179,7 @@ public enum Phrase {
   IS_FREE,
   DRIVES_HOME,
   DRIVES_TO_LOAD,
+  DRIVES_FOR_TASK,
   CARRIES_LOAD,
   ARM_PICKS_UP,
   ARM_PLACES,
@@ -285,6 +286,7 @@ public enum Phrase {
 
   // What a person must decide
   ASK_FOR_ANOTHER,
+  ASK_FOR_ANOTHER_TO_DRIVE,
   ASK_FOR_ANOTHER_WITH_LOAD,
   ASK_TO_WAIT_WITH_LOAD,
   ASK_WHERE_TO,
@@ -295,6 +297,7 @@ public enum Phrase {
 
   // Why a task cannot do what an operator command asks
   DELIVERED_ALREADY,
+  DRIVEN_ALREADY,
   TASK_HAS_ENDED,
   TASK_WAITS_NO_MORE,
   TASK_HAS_NOT_ENDED,
@@ -408,6 +411,7 @@ public enum Phrase {
   GIVEN_TO,
   GIVEN_INSTEAD,
   SET_OUT,
+  SET_OUT_FOR,
   IS_AT_LOAD,
   PICKED_UP,
   WAITS_AT_STOP,
@@ -417,6 +421,7 @@ public enum Phrase {
   WEIGHS_OTHERWISE,
   IS_AT_GOAL,
   DELIVERED,
+  DRIVE_ENDED,
   HAS_PARKED,
   TOOK_ANOTHER,
   DONE,
@@ -458,6 +463,7 @@ public enum Phrase {
   CAN_GO_ON,
   WITH_LOAD,
   WAITS_FOR_ROBOT,
+  DRIVE_WAITS_FOR_ROBOT,
 
   // What happened to a robot, a floor or the fleet
   SERVER_HAD_ENDED,

@@ -30,7 +30,7 @@ export function taskEntry(task) {
     state: task.state,
     letter: String(task.id),
     title: task.name,
-    side: text(`task.state.${task.state}`),
+    side: text(`task.state.${task.kind === 'DRIVE' && task.state === 'TO_OBJECT' ? 'drive' : task.state}`),
     sentence: withExpected(task, task.needs?.question ?? (task.blocked ? task.waitingFor : task.late) ?? task.waitingFor ?? task.robots.join(text('common.comma'))),
   };
 }

@@ -15,7 +15,7 @@ export function drawTasks(context, viewport, colours, tasks) {
     if (task.state !== 'RETURNING') {
       drawGoal(context, viewport, colours, task);
     }
-    if (task.state !== 'CARRYING' || task.loadAt) {
+    if (task.kind !== 'DRIVE' && (task.state !== 'CARRYING' || task.loadAt)) {
       const {x, y} = task.state === 'RETURNING'
         ? (task.arm?.place ?? task.goal)
         : (task.loadAt ?? task.arm?.pick ?? task.start);

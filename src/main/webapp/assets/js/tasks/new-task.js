@@ -80,6 +80,8 @@ class NewTaskPage {
   #preview = new TaskPreview($('form.task'), $('#preview'), () => this.#order, (path) => this.#showPath(path));
 
   async start() {
+    $('#kind')?.addEventListener('change', () => this.#showKind());
+    this.#showKind();
     for (const place of this.#places) {
       place.onChange(() => this.#changePlaces());
     }
@@ -92,8 +94,27 @@ class NewTaskPage {
     this.#preview.request();
   }
 
+  get #isDrive() {
+    return $('#kind')?.value === 'drive';
+  }
+
   get #places() {
-    return [this.#start, this.#goal];
+    return this.#isDrive ? [this.#goal] : [this.#start, this.#goal];
+  }
+
+  /** What has no meaning for the other kind of task is neither shown nor sent. */
+  #showKind() {
+    const kind = this.#isDrive ? 'drive' : 'transport';
+    for (const part of document.querySelectorAll('[data-for]')) {
+      part.hidden = part.dataset.for !== kind;
+      for (const field of part.querySelectorAll('input, select')) {
+        field.disabled = part.hidden;
+      }
+    }
+    if (this.#isDrive) {
+      this.#goal.choice.checked = true;
+    }
+    this.#changePlaces();
   }
 
   #draw(context, viewport, colours) {
@@ -112,7 +133,7 @@ class NewTaskPage {
   }
 
   #pick(x, y, metresPerPixel) {
-    const place = this.#places.find(({choice}) => choice.checked);
+    const place = this.#places.find(({choice}) => choice.checked) ?? this.#goal;
     const near = this.#floor?.stationAt(x, y, metresPerPixel);
     if (near) {
       place.setStation(near.name);
@@ -138,6 +159,24 @@ class NewTaskPage {
 
   /** The form's task as the API takes it; undefined while load, start or goal are missing. */
   get #order() {
+    return this.#isDrive ? this.#driveOrder : this.#transportOrder;
+  }
+
+  get #driveOrder() {
+    const goal = this.#goal.value;
+    return goal && {...this.#commonOrder, kind: 'DRIVE', stops: [withWait(goal, values('goalWait')[0]), ...furtherStops()]};
+  }
+
+  get #commonOrder() {
+    return {
+      name: $('#name').value.trim() || '?',
+      floor: this.#floor?.name,
+      priority: number('priority'),
+      onlyRobots: [...document.querySelectorAll('input[name="onlyRobots"]:checked')].map(({value}) => value),
+    };
+  }
+
+  get #transportOrder() {
     const load = number('load');
     const [start, goal] = this.#places.map(({value}) => value);
     if (load === undefined || !start || !goal) {
@@ -146,13 +185,10 @@ class NewTaskPage {
     const [length, width] = [number('length'), number('width')];
     const stops = oneRobotsWay(start, goal);
     return {
-      name: $('#name').value.trim() || '?',
+      ...this.#commonOrder,
       load,
       ...(stops ? {stops} : {start, goal}),
-      floor: this.#floor?.name,
-      priority: number('priority'),
       size: length && width ? {length, width} : undefined,
-      onlyRobots: [...document.querySelectorAll('input[name="onlyRobots"]:checked')].map(({value}) => value),
     };
   }
 
@@ -169,14 +205,21 @@ class NewTaskPage {
 
 /** All stops, as the API takes them, where one robot goes the whole way; else undefined. */
 function oneRobotsWay(start, goal) {
-  const values = (name) => [...document.querySelectorAll(`select[name="${name}"]`)].map(({value}) => value);
-  const waits = values('stopWait');
-  const further = values('stopStation')
-    .map((station, at) => withWait({station}, waits[at]))
-    .filter(({station}) => station);
+  const further = furtherStops();
   const way = [withWait(start, values('startWait')[0]), withWait(goal, values('goalWait')[0]), ...further];
   const hasWait = way.some(({waitForPerson, waitSeconds}) => waitForPerson || waitSeconds);
   return hasWait || (further.length > 0 && $('#carriedBy').value === 'one') ? way : undefined;
+}
+
+function values(name) {
+  return [...document.querySelectorAll(`select[name="${name}"]`)].map(({value}) => value);
+}
+
+function furtherStops() {
+  const waits = values('stopWait');
+  return values('stopStation')
+    .map((station, at) => withWait({station}, waits[at]))
+    .filter(({station}) => station);
 }
 
 /** @param wait as the form has it: person, a number of seconds, or nothing */

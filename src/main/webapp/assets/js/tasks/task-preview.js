@@ -54,7 +54,7 @@ export class TaskPreview {
       });
       const body = await answer.json();
       return answer.ok
-        ? {sentence: sentence(body), path: body.way}
+        ? {sentence: sentence(body, order.kind === 'DRIVE'), path: body.way}
         : {sentence: TOLD.has(answer.status) ? body.detail : '', wrong: true};
     } catch {
       return undefined; // the form works without a preview
@@ -62,7 +62,7 @@ export class TaskPreview {
   }
 }
 
-function sentence({robots, chosen, reason, metres}) {
+function sentence({robots, chosen, reason, metres}, isDrive) {
   const sentences = [];
   if (robots > 1) {
     sentences.push(text('newTask.preview.needs', robots));
@@ -72,7 +72,7 @@ function sentence({robots, chosen, reason, metres}) {
       ? text('newTask.preview.chosen', chosen.join(text('common.comma')), reason)
       : text('newTask.preview.waits', reason));
   if (metres > 0) {
-    sentences.push(text('newTask.preview.metres', roundedMetres(metres)));
+    sentences.push(text(`newTask.preview.${isDrive ? 'driven' : 'metres'}`, roundedMetres(metres)));
   }
   return sentences.join(' ');
 }

@@ -2,6 +2,7 @@ package org.toqa.fleet;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertInstanceOf;
+import static org.junit.jupiter.api.Assertions.assertNotNull;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.time.Duration;
@@ -98,6 +99,77 @@ class FleetStopsTest extends HallFleetTest {
         "load",
         refusal(
             heavy.along(List.of(stop(heavy.start()), stop(IN_THE_MIDDLE), stop(heavy.goal())))));
+  }
+
+  @Test
+  void aDriveWithoutALoadGoesWhereItShallAlsoAfterRestarts() throws Exception {
+    long task =
+        submit(
+            drive(
+                new StopOrder(EAST_STATION, true, null),
+                stop(IN_THE_MIDDLE),
+                new StopOrder(WEST_STATION, false, Duration.ofSeconds(1))));
+    until(view -> robot(view, "r1").work().doing().english().equals("Driving for task " + task));
+    until(view -> task(view, task).isWaitingAtStop());
+    stage.restart();
+    until(view -> robot(view, "r1").state() == RobotState.IDLE);
+    FleetSnapshot waiting = stage.fleet.snapshots().latest();
+    assertEquals(
+        "r1 waits at East until somebody says “Go on”.",
+        String.valueOf(task(waiting, task).waitingFor()));
+    assertEquals(
+        List.of(StopState.HERE, StopState.AHEAD, StopState.AHEAD),
+        task(waiting, task).stops().stream().map(TaskView.StopView::state).toList());
+    assertEquals(List.of(), LoadView.of(waiting));
+
+    accepted(stage.fleet.commandTask(task, new MissionEvent.GoOn("Clara", 0)));
+    stage.restart();
+    until(view -> task(view, task).progress().stop() == 2);
+    stage.restart();
+    until(view -> task(view, task).state() == TaskState.DONE);
+
+    assertEquals(
+        List.of(
+            "Waits at East",
+            "Clara let the robot go on from East",
+            "Leaves East, stop 1 of 3",
+            "Leaves (6.50, 2.50), stop 2 of 3",
+            "Waits at West",
+            "The time to wait at West is over",
+            "The drive ended at West"),
+        stage.store.history(task).stream()
+            .filter(event -> List.of("task.at-stop", "task.went-on").contains(event.kind()))
+            .map(EventRecord::text)
+            .toList());
+  }
+
+  @Test
+  void aDriveToOnePlaceIsCancelledWithoutAQuestion() throws Exception {
+    long task = submit(drive(new StopOrder(EAST_STATION, true, null)));
+    until(view -> task(view, task).isWaitingAtStop());
+    assertNotNull(task(stage.fleet.snapshots().latest(), task).stops().getFirst().since());
+    accepted(stage.fleet.commandTask(task, new MissionEvent.Cancel("Clara", null)));
+    until(view -> task(view, task).state() == TaskState.CANCELLED);
+
+    long next = submit(drive(stop(EAST_STATION)));
+    until(view -> task(view, next).state() == TaskState.DONE);
+    assertEquals("stops.0", refusal(drive(stop(new Where.Station("Moon")))));
+    assertEquals("stops.1", refusal(drive(stop(EAST_STATION), stop(EAST_STATION))));
+  }
+
+  @Test
+  void thePreviewOfADriveBeginsWhereItsRobotIs() throws Exception {
+    until(view -> robot(view, "r1").state() == RobotState.IDLE);
+    TaskPreview preview =
+        accepted(stage.fleet.preview(drive(stop(EAST_STATION), stop(IN_THE_MIDDLE)), "Clara"));
+
+    assertEquals(List.of("r1"), preview.chosen());
+    assertTrue(preview.path().getFirst().distanceTo(WEST) < 0.8, preview::toString);
+    assertTrue(preview.metres() > 10, preview::toString); // 8 m to East, and 2 m back
+  }
+
+  private static TaskOrder drive(StopOrder... stops) {
+    return order(0).along(List.of(stops));
   }
 
   private static StopOrder stop(Where where) {

@@ -40,7 +40,72 @@ class MissionTest {
               new Stop(new TaskPlace(new Vec2(3, 1), "Oven"), true, null),
               new Stop(TASK.goal(), false, Duration.ofSeconds(30))));
 
+  /** Along three stops without a load: with a person at the second one, 30 s at the last. */
+  static final TransportTask DRIVE =
+      new TransportTask(
+              8, "tour", 0, place("Mill"), TASK.goal(), "lab", 0, null, null, "ann", Instant.EPOCH)
+          .withStops(
+              List.of(
+                  Stop.at(place("Mill")),
+                  new Stop(place("Oven"), true, null),
+                  new Stop(TASK.goal(), false, Duration.ofSeconds(30))));
+
+  private static TaskPlace place(String station) {
+    return new TaskPlace(new Vec2(station.length(), 1), station);
+  }
+
   private static final TaskPlace THERE = new TaskPlace(new Vec2(3, 1.5), null);
+
+  @Example
+  void aDriveGoesFromStopToStopAndCarriesNothing() {
+    Mission mission =
+        Mission.queued(DRIVE).assign(List.of("r1"), Sentence.verbatim("near")).mission();
+    assertEquals("Mill", mission.object().station());
+    Mission.Step step = mission.apply(new MissionEvent.DriveStarted("r1", Phase.TO_OBJECT));
+    assertEquals(List.of("r1 set out for Mill"), said(step));
+
+    step = step.mission().apply(arrived(Phase.TO_OBJECT, 0));
+    assertEquals(List.of("Leaves Mill, stop 1 of 3"), said(step));
+    assertEquals(List.of(new MissionCommand.Drive("r1", Phase.TO_OBJECT)), step.commands());
+    assertEquals("Oven", step.mission().object().station());
+    assertFalse(step.mission().apply(arrived(Phase.TO_OBJECT, 0)).hasChanges(), "told twice");
+
+    step = step.mission().apply(arrived(Phase.TO_OBJECT, 1));
+    assertEquals(List.of("Waits at Oven"), said(step));
+    assertEquals(List.of(), step.commands());
+    step = step.mission().apply(new MissionEvent.GoOn("max", 1));
+    assertEquals(List.of("max let the robot go on from Oven", "Leaves Oven, stop 2 of 3"), said(step));
+    assertEquals(TaskState.TO_OBJECT, step.mission().state());
+
+    step = step.mission().apply(arrived(Phase.TO_OBJECT, 2)).mission().apply(new MissionEvent.WaitEnded(2));
+    assertEquals(TaskState.RETURNING, step.mission().state());
+    assertEquals("The drive ended at (5.00, 2.00)", said(step).getLast());
+    assertEquals(List.of(new MissionCommand.Drive("r1", Phase.HOME)), step.commands());
+    assertTrue(step.mission().objectionTo(new MissionEvent.Cancel("max", null)).isPresent());
+  }
+
+  @Example
+  void aDriveWhoseRobotFailsIsTakenOverAtTheStopThatWasNotLeft() {
+    Mission waiting =
+        Mission.queued(DRIVE)
+            .assign(List.of("r1"), Sentence.verbatim("near"))
+            .mission()
+            .apply(arrived(Phase.TO_OBJECT, 0))
+            .mission()
+            .apply(arrived(Phase.TO_OBJECT, 1))
+            .mission();
+    Mission.Step step =
+        waiting.apply(new MissionEvent.RobotFailed("r1", Sentence.verbatim("reports an error"), THERE));
+
+    assertEquals(TaskState.QUEUED, step.mission().state());
+    assertEquals("Waiting for a robot that drives to Oven", said(step).getLast());
+    assertTrue(step.mission().waitingStop().isEmpty(), "the wait begins anew");
+    Mission other = step.mission().assign(List.of("r2"), Sentence.verbatim("near")).mission();
+    assertEquals("Oven", other.object().station());
+    assertEquals(
+        TaskState.CANCELLED,
+        other.apply(new MissionEvent.Cancel("max", null)).mission().state(), "there is no load");
+  }
 
   @Example
   void aTourGoesFromStopToStopAndWaitsWhereItShall() {

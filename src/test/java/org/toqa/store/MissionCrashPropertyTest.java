@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.List;
 import java.util.Optional;
 import java.util.UUID;
+import net.jqwik.api.Arbitraries;
 import net.jqwik.api.Arbitrary;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
@@ -49,14 +50,9 @@ class MissionCrashPropertyTest {
    */
   @Property(tries = 200)
   void whatIsReadAfterACrashIsWhatWasLived(
-      @ForAll boolean isTour, @ForAll("events") List<MissionEvent> events) {
+      @ForAll("tasks") TransportTask ordered, @ForAll("events") List<MissionEvent> events) {
     UUID key = UUID.randomUUID();
-    TransportTask task =
-        added(
-            isTour
-                ? LabTask.tour("ann", FleetDatabaseTest.AT)
-                : LabTask.of("box", "ann", FleetDatabaseTest.AT),
-            key);
+    TransportTask task = added(ordered, key);
     liveTwice(task, events);
     new JdbiFleetStore(database.jdbi()).withdrawTasks(List.of(key));
   }
@@ -100,6 +96,14 @@ class MissionCrashPropertyTest {
 
   private Object state(TransportTask task) {
     return new JdbiFleetStore(database.jdbi()).task(task.id()).orElseThrow().state();
+  }
+
+  @Provide
+  Arbitrary<TransportTask> tasks() {
+    return Arbitraries.of(
+        LabTask.of("box", "ann", FleetDatabaseTest.AT),
+        LabTask.tour("ann", FleetDatabaseTest.AT),
+        LabTask.drive("ann", FleetDatabaseTest.AT));
   }
 
   @Provide

@@ -25,6 +25,13 @@ public final class LabTask {
             new Stop(GOAL, true, Duration.ofSeconds(5))));
   }
 
+  /** Without a load along two stops: a person at the first one. */
+  public static TransportTask drive(String user, Instant at) {
+    TaskPlace mill = new TaskPlace(new Vec2(1.5, 1), "Mill");
+    return new TransportTask(0, "drive", 0, mill, GOAL, "lab", 0, null, null, user, at)
+        .withStops(List.of(new Stop(mill, true, null), Stop.at(GOAL)));
+  }
+
   /** A box of 1 kg that was asked for then; its id is not known yet. */
   public static TransportTask of(String name, String user, Instant at) {
     return new TransportTask(0, name, 1, START, GOAL, "lab", 0, null, null, user, at);

@@ -162,7 +162,7 @@ record ForecastPicture(
         task.id(),
         task.task().load(),
         visits(task),
-        task.state() == TaskState.CARRYING,
+        task.state() == TaskState.CARRYING || task.task().isDrive(),
         task.robots(),
         underway(task, travel),
         unknown(task));
@@ -207,12 +207,14 @@ record ForecastPicture(
     List<Stop> route = task.task().route();
     List<Visit> visits = new ArrayList<>();
     if (task.state() != TaskState.CARRYING) {
-      boolean isAtStart = task.progress().stop() == 0 && task.loadAt() == null;
+      int first = task.task().stopAfterFirst(task.progress()) - 1;
+      boolean isAtStop = task.progress().stop() == first && task.loadAt() == null;
       visits.add(
           new Visit(
-              task.object().position(), isAtStart ? waitSeconds(task, route.getFirst(), 0) : 0));
+              task.object().position(),
+              isAtStop ? waitSeconds(task, route.get(first), first) : 0));
     }
-    for (int i = Math.max(1, task.progress().stop()); i < route.size(); i++) {
+    for (int i = task.task().stopAfterFirst(task.progress()); i < route.size(); i++) {
       visits.add(new Visit(route.get(i).place().position(), waitSeconds(task, route.get(i), i)));
     }
     return visits;

@@ -71,7 +71,10 @@ final class OrderValidator {
       TaskOrder order, String user, Instant now, Capacity capacity, OrderChecks.Check check) {
     List<Answer<TransportTask>> resolved = resolveTask(order, user, now, capacity);
     return resolved.getFirst() instanceof Answer.Accepted<TransportTask>(TransportTask task)
-        ? checkPaths(task, task.legs(), capacity, check)
+        ? (task.legs().isEmpty()
+                ? CompletableFuture.<Answer<TransportTask>>completedFuture(
+                    new Answer.Accepted<>(task))
+                : checkPaths(task, task.legs(), capacity, check))
             .thenCompose(checked -> checkRoom(checked, capacity, check))
             .thenApply(List::of)
         : CompletableFuture.completedFuture(resolved);

@@ -28,7 +28,7 @@ final class PlacesInUse {
           List<Pose> stand = posesByTask.getOrDefault(task.id(), List.of());
           add(uses, task, task.object(), isComingForLoad(task), stand);
           task.task()
-              .placesFrom(Math.max(1, task.progress().stop()))
+              .placesFrom(task.task().stopAfterFirst(task.progress()))
               .forEach(place -> add(uses, task, place, isComing(task), stand));
         });
     return List.copyOf(uses);

@@ -175,7 +175,7 @@ final class TaskForecaster {
         (id, task) -> {
           Expectation found = result.expectations().get(id);
           if (found != null) {
-            tell(task, times(found, result.clockAt()));
+            tell(task, times(task, found, result.clockAt()));
             keep(task, found, result.clockAt(), kept);
           }
         });
@@ -231,9 +231,9 @@ final class TaskForecaster {
     return moved > Math.max(1000, MOVED * left);
   }
 
-  private ExpectedTimes times(Expectation found, Instant from) {
+  private ExpectedTimes times(TaskView task, Expectation found, Instant from) {
     return new ExpectedTimes(
-        instant(found.pickUp(), from),
+        task.task().isDrive() ? null : instant(found.pickUp(), from),
         instant(found.delivery(), from),
         found.unknown() == null ? null : sentence(found.unknown()));
   }

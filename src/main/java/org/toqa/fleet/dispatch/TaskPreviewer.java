@@ -14,6 +14,7 @@ import org.toqa.fleet.floor.PlaceCheck;
 import org.toqa.geometry.Vec2;
 import org.toqa.grid.FloorMap;
 import org.toqa.mission.Mission;
+import org.toqa.mission.TaskPlace;
 import org.toqa.mission.TransportTask;
 import org.toqa.wording.Sentence;
 
@@ -75,7 +76,7 @@ final class TaskPreviewer {
         chosen.isEmpty()
             ? TeamSize.smallest(task.load(), allowed(task, problem)).orElse(0)
             : chosen.size();
-    return path(task)
+    return path(task, chosenOf(chosen, problem))
         .thenApply(
             path ->
                 noRoom
@@ -108,25 +109,36 @@ final class TaskPreviewer {
     };
   }
 
-  /** Along all its stops. */
-  private CompletableFuture<List<Vec2>> path(TransportTask task) {
+  private static Stream<Candidate> chosenOf(List<String> chosen, AllocationProblem problem) {
+    return problem.robots().stream().filter(robot -> chosen.contains(robot.robot()));
+  }
+
+  /** Along all its stops; of a drive from where its robot is. */
+  private CompletableFuture<List<Vec2>> path(TransportTask task, Stream<Candidate> team) {
+    List<Vec2> places =
+        Stream.concat(
+                team.filter(_ -> task.isDrive()).map(Candidate::position),
+                task.placesFrom(0).stream().map(TaskPlace::position))
+            .toList();
     CompletableFuture<List<Vec2>> points = CompletableFuture.completedFuture(List.of());
-    for (TransportTask leg : task.legs()) {
+    for (int i = 1; i < places.size(); i++) {
+      Vec2 from = places.get(i - 1);
+      Vec2 to = places.get(i);
       points =
           points.thenCompose(
               before ->
-                  legPath(leg)
+                  legPath(from, to)
                       .thenApply(next -> Stream.concat(before.stream(), next.stream()).toList()));
     }
     return points;
   }
 
-  private CompletableFuture<List<Vec2>> legPath(TransportTask task) {
+  private CompletableFuture<List<Vec2>> legPath(Vec2 from, Vec2 to) {
     return paths
         .findPath(
             floor.grid(),
-            task.start().position(),
-            task.goal().position(),
+            from,
+            to,
             2 * PlaceCheck.SMALLEST_RADIUS,
             check)
         .thenApply(

@@ -55,7 +55,7 @@ final class TaskQueue {
    */
   static AllocationTask job(TransportTask task, TaskPlace object, StopProgress progress) {
     List<Vec2> ahead =
-        task.placesFrom(Math.max(1, progress.stop())).stream().map(TaskPlace::position).toList();
+        task.placesFrom(task.stopAfterFirst(progress)).stream().map(TaskPlace::position).toList();
     return new AllocationTask(
             task.id(),
             task.load(),
@@ -63,7 +63,7 @@ final class TaskQueue {
             task.goal().position(),
             AllocationTask.waitingSince(task.createdAt(), task.priority(), task.deadline()))
         .withOnlyRobots(task.onlyRobots())
-        .withStops(ahead.subList(0, ahead.size() - 1), !task.stops().isEmpty());
+        .withStops(ahead.subList(0, Math.max(0, ahead.size() - 1)), !task.stops().isEmpty());
   }
 
   Optional<Queued> get(long id) {

@@ -118,7 +118,7 @@ final class ArmDispatcher {
     }
     ActFailure failure = end.failure();
     if (failure == null) {
-      missions.phaseEnded(mission.id(), robot.name(), phase, mission.stopNumber());
+      missions.phaseEnded(mission.id(), robot.name(), phase, mission.stopNumber(phase));
     } else {
       missions.applyEvent(
           mission.id(),

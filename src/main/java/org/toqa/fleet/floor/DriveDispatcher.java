@@ -190,8 +190,10 @@ final class DriveDispatcher {
             .filter(c -> !c.unassigned() && c.phase() == goal.phase())
             .isPresent();
     boolean isOfLeftStop =
-        goal.phase() == Phase.TO_GOAL
-            && mission.filter(known -> known.stopNumber() == goal.stop()).isEmpty();
+        goal.phase().isCarryingTask()
+            && mission
+                .filter(known -> known.stopNumber(goal.phase()) == goal.stop())
+                .isEmpty();
     return !isInPhase || isOfLeftStop;
   }
 

@@ -15,25 +15,36 @@ import org.toqa.mission.Phase;
  * @param heading how it shall face there, radians, counter-clockwise, map frame; null: any heading
  * @param load kilograms that it has on board
  * @param stop the number, from 0, of the mission's stop that it is; 0 too where it is none
+ * @param isWithoutLoad whether it is for a task that carries nothing
  */
 record DriveGoal(
-    @Nullable Long task, Phase phase, Vec2 goal, @Nullable Double heading, double load, int stop) {
+    @Nullable Long task,
+    Phase phase,
+    Vec2 goal,
+    @Nullable Double heading,
+    double load,
+    int stop,
+    boolean isWithoutLoad) {
+
+  private static DriveGoal withoutTask(Vec2 place) {
+    return new DriveGoal(null, Phase.NONE, place, null, 0, 0, false);
+  }
 
   /** The same, with that heading. */
   DriveGoal facing(double radians) {
-    return new DriveGoal(task, phase, goal, radians, load, stop);
+    return new DriveGoal(task, phase, goal, radians, load, stop, isWithoutLoad);
   }
 
   static DriveGoal toParking(Vec2 parking) {
-    return new DriveGoal(null, Phase.NONE, parking, null, 0, 0);
+    return withoutTask(parking);
   }
 
   static DriveGoal toPlace(Vec2 place) {
-    return new DriveGoal(null, Phase.NONE, place, null, 0, 0);
+    return withoutTask(place);
   }
 
   static DriveGoal toCharger(Vec2 point) {
-    return new DriveGoal(null, Phase.NONE, point, null, 0, 0);
+    return withoutTask(point);
   }
 
   /**
@@ -50,13 +61,13 @@ record DriveGoal(
           case TO_GOAL -> mission.destination().position();
           case HOME, NONE -> home.orElse(mission.task().goal().position());
         };
-    boolean isWithLoad = phase == Phase.TO_GOAL;
     return new DriveGoal(
         mission.id(),
         phase,
         goal,
         null,
-        isWithLoad ? share : 0,
-        isWithLoad ? mission.stopNumber() : 0);
+        phase == Phase.TO_GOAL ? share : 0,
+        mission.stopNumber(phase),
+        mission.task().isDrive());
   }
 }

@@ -162,7 +162,7 @@ final class FloorMissions {
   }
 
   /**
-   * @param stop where it has come, if that is where it drove with the load
+   * @param stop where it has come; see {@link Mission#stopNumber(Phase)}
    */
   void phaseEnded(long task, String robot, Phase phase, int stop) {
     applyEvent(task, new MissionEvent.PhaseEnded(robot, phase, stop, state.clock.instant()));

@@ -276,7 +276,8 @@ final class FloorRobot {
     }
     return switch (work.phase()) {
       case NONE -> Phrase.DRIVES_HOME.with();
-      case TO_OBJECT -> Phrase.DRIVES_TO_LOAD.with(task);
+      case TO_OBJECT ->
+          (work.isWithoutLoad() ? Phrase.DRIVES_FOR_TASK : Phrase.DRIVES_TO_LOAD).with(task);
       case TO_GOAL -> Phrase.CARRIES_LOAD.with(task);
       case HOME -> Phrase.DRIVES_HOME_FROM.with(task);
     };

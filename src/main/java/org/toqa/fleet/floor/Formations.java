@@ -101,7 +101,8 @@ final class Formations {
       return goal;
     }
     Pose place = formation.get().pose(index(mission, robot));
-    return new DriveGoal(goal.task(), Phase.TO_OBJECT, place.position(), place.theta(), 0, 0);
+    return new DriveGoal(
+        goal.task(), Phase.TO_OBJECT, place.position(), place.theta(), 0, 0, false);
   }
 
   /** How the robot faces at its goal for its arm; empty where that has nothing to do there. */

@@ -317,7 +317,7 @@ final class RobotEventHandler {
         && (phase.get() == Phase.HOME || state.formations.isAtGoal(mission.get(), robot))
         && !isForArm(mission.get(), robot)) {
       missions.phaseEnded(
-          mission.get().id(), robot.name(), phase.get(), mission.get().stopNumber());
+          mission.get().id(), robot.name(), phase.get(), mission.get().stopNumber(phase.get()));
     } // else its drive was changed meanwhile, or the task has ended
     // written in order: acknowledged only when what follows from the flag is safe
     state.writer.write(() -> {}, () -> robot.agent.tell(new RobotMessage.Acknowledge(end.drive())));

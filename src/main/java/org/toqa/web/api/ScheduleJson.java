@@ -13,6 +13,7 @@ import org.toqa.fleet.Schedule;
 import org.toqa.fleet.TaskOrder;
 import org.toqa.fleet.TaskOrder.StopOrder;
 import org.toqa.fleet.TaskOrder.Where;
+import org.toqa.mission.TaskKind;
 import org.toqa.mission.TransportTask.LoadSize;
 
 /**
@@ -69,6 +70,7 @@ record ScheduleJson(
 
   record OrderJson(
       String name,
+      TaskKind kind,
       double load,
       WhereJson start,
       WhereJson goal,
@@ -80,6 +82,7 @@ record ScheduleJson(
     static OrderJson of(TaskOrder order) {
       return new OrderJson(
           order.name(),
+          order.kind(),
           order.load(),
           WhereJson.of(order.start()),
           WhereJson.of(order.goal()),

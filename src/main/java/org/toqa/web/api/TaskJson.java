@@ -13,6 +13,7 @@ import org.toqa.mission.ArmHandling;
 import org.toqa.mission.OrderPart;
 import org.toqa.mission.Question;
 import org.toqa.mission.StopState;
+import org.toqa.mission.TaskKind;
 import org.toqa.mission.TaskPlace;
 import org.toqa.mission.TaskState;
 import org.toqa.mission.TransportTask;
@@ -21,7 +22,7 @@ import org.toqa.wording.Sentence;
 /**
  * A task on the wire.
  *
- * @param load kilograms
+ * @param load kilograms; 0 of a drive without one
  * @param arm null: no arm picks it up
  * @param loadAt where the load is if that is neither its start nor its goal
  * @param blocked whether it waits for what will not come by itself
@@ -36,6 +37,7 @@ import org.toqa.wording.Sentence;
 public record TaskJson(
     long id,
     String name,
+    TaskKind kind,
     double load,
     PlaceJson start,
     PlaceJson goal,
@@ -145,6 +147,7 @@ public record TaskJson(
     return new TaskJson(
         task.id(),
         task.name(),
+        task.kind(),
         task.load(),
         PlaceJson.of(task.start()),
         PlaceJson.of(task.goal()),

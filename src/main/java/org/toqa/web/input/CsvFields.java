@@ -105,6 +105,11 @@ record CsvFields(
     return new Where.Station(station == null ? "" : station);
   }
 
+  @Override
+  public boolean hasPlace(String end) {
+    return Stream.of("", "X", "Y").anyMatch(column -> text(end + column) != null);
+  }
+
   /**
    * The further stops in their column, with bars between; each a station or two coordinates, and
    * after a colon what is waited for there.

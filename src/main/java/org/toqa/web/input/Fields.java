@@ -80,6 +80,11 @@ public interface Fields {
     return text(name) != null;
   }
 
+  /** Whether anything of such a place is given. */
+  default boolean hasPlace(String name) {
+    return has(name);
+  }
+
   /** The fields of an object in these; where no objects are written, these fields themselves. */
   default Fields object(String name) {
     return this;

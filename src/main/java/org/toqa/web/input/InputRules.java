@@ -22,6 +22,7 @@ import org.toqa.fleet.TaskOrder;
 import org.toqa.link.http.RobotToken;
 import org.toqa.link.trust.Fingerprint;
 import org.toqa.link.trust.PairingCode;
+import org.toqa.mission.TaskKind;
 import org.toqa.mission.TransportTask.LoadSize;
 import org.toqa.telemetry.Topics;
 import org.toqa.web.Texts;
@@ -107,6 +108,21 @@ public final class InputRules {
   /** Kilograms. */
   public double load(String field, @Nullable Double given) {
     return inRange(field, given, 0, MAX_LOAD, "error.load.missing", "error.load.range");
+  }
+
+  /** Of a task; a transport where none is given. */
+  public TaskKind taskKind(String field, @Nullable String given) {
+    if (given == null) {
+      return TaskKind.TRANSPORT;
+    }
+    return Stream.of(TaskKind.values())
+        .filter(kind -> kind.name().equalsIgnoreCase(given.strip()))
+        .findFirst()
+        .orElseGet(
+            () -> {
+              refuse(field, "error.taskKind");
+              return TaskKind.TRANSPORT;
+            });
   }
 
   /** Metres, map frame; of a place that may also be a station. */

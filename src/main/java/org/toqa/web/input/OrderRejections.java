@@ -61,7 +61,7 @@ public final class OrderRejections {
    * @param stop from 0
    * @param further the field of all others
    */
-  static String entered(int stop, String further) {
+  public static String entered(int stop, String further) {
     return switch (stop) {
       case 0 -> "start";
       case 1 -> "goal";

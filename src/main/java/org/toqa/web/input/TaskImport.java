@@ -102,7 +102,8 @@ public final class TaskImport {
     }
     if (field.startsWith("stops.")) {
       int stop = Integer.parseInt(field.substring("stops.".length()));
-      return OrderRejections.entered(stop, "stops");
+      boolean isDrive = row.order().tasks().getFirst().isDrive() && row.isReadable("load");
+      return OrderRejections.entered(isDrive ? stop + 1 : stop, "stops");
     }
     boolean isLeg = row.order().kind() == OrderPart.Kind.STOPS;
     return isLeg && (field.equals("start") || field.equals("goal"))

@@ -14,6 +14,7 @@ import org.toqa.fleet.TaskOrder;
 import org.toqa.fleet.TaskOrder.StopOrder;
 import org.toqa.fleet.TaskOrder.Where;
 import org.toqa.mission.OrderPart;
+import org.toqa.mission.TaskKind;
 
 /** Reads the order of a task. What it reads means something only where no sentence was filed. */
 public final class TaskOrderReader {
@@ -65,12 +66,13 @@ public final class TaskOrderReader {
 
   /** The same that a person enters, who says start and goal, and further stops if he wants any. */
   public static PartsOrder readEnteredParts(Fields fields, Instant now) {
+    UnaryOperator<@Nullable Instant> deadlineRule =
+        deadline -> fields.rules().futureDeadline(fields.path("deadline"), deadline, now);
+    if (kind(fields) == TaskKind.DRIVE) {
+      return readEnteredDrive(fields, deadlineRule);
+    }
     TaskOrder order =
-        read(
-            fields,
-            () -> fields.place("start"),
-            () -> fields.place("goal"),
-            deadline -> fields.rules().futureDeadline(fields.path("deadline"), deadline, now));
+        read(fields, () -> fields.place("start"), () -> fields.place("goal"), deadlineRule);
     List<StopOrder> further = fields.stops("stop", PartsOrder.MAX_STOPS - 2);
     List<StopOrder> way =
         Stream.concat(
@@ -90,6 +92,25 @@ public final class TaskOrderReader {
     return hasWaits || "one".equals(fields.text("carriedBy"))
         ? new PartsOrder(order.name(), OrderPart.Kind.STOPS, List.of(order.along(way)))
         : legs(fields, order, way.stream().map(StopOrder::where).toList());
+  }
+
+  /** Its first stop is the goal that was entered. */
+  private static PartsOrder readEnteredDrive(
+      Fields fields, UnaryOperator<@Nullable Instant> deadlineRule) {
+    TaskOrder order = readWithoutLoad(fields, deadlineRule);
+    Stream<StopOrder> first = Stream.of(fields.stopAt("goal", fields.place("goal")));
+    List<StopOrder> further = fields.stops("stop", TaskOrder.MAX_STOPS - 1);
+    if (fields.rules().pieces(fields.path("pieces"), fields.number("pieces")) > 1) {
+      fields.errors().add(fields.path("pieces"), fields.texts().get("error.drive.pieces"));
+    }
+    return new PartsOrder(
+        order.name(),
+        OrderPart.Kind.STOPS,
+        List.of(order.along(Stream.concat(first, further.stream()).toList())));
+  }
+
+  private static TaskKind kind(Fields fields) {
+    return fields.rules().taskKind(fields.path("kind"), fields.text("kind"));
   }
 
   /** An arm handles a load at its start and at its goal alone. */
@@ -120,6 +141,9 @@ public final class TaskOrderReader {
   }
 
   private static TaskOrder read(Fields fields, UnaryOperator<@Nullable Instant> deadlineRule) {
+    if (kind(fields) == TaskKind.DRIVE) {
+      return readDrive(fields, deadlineRule);
+    }
     if (fields.has("stops")) {
       return readMission(fields, deadlineRule);
     }
@@ -146,6 +170,62 @@ public final class TaskOrderReader {
     fields.refuseUnknown();
     refuseArm(fields, order);
     return stops.isEmpty() ? order : order.along(stops);
+  }
+
+  /** To its goal, or along its stops. */
+  private static TaskOrder readDrive(
+      Fields fields, UnaryOperator<@Nullable Instant> deadlineRule) {
+    TaskOrder order = readWithoutLoad(fields, deadlineRule);
+    List<StopOrder> way;
+    if (fields.has("stops")) {
+      way = fields.stops("stops", TaskOrder.MAX_STOPS);
+      if (way.isEmpty()) {
+        fields.errors().add(fields.path("stops"), fields.texts().get("error.drive.stops"));
+      }
+      if (fields.has("goal")) {
+        fields.errors().add(fields.path("goal"), fields.texts().get("error.drive.goal"));
+      }
+    } else {
+      way = List.of(fields.stopAt("goal", fields.place("goal")));
+    }
+    fields.refuseUnknown();
+    return way.isEmpty() ? order : order.along(way);
+  }
+
+  /** What is said of a drive beside its places. */
+  private static TaskOrder readWithoutLoad(
+      Fields fields, UnaryOperator<@Nullable Instant> deadlineRule) {
+    InputRules rules = fields.rules();
+    TaskOrder order =
+        new TaskOrder(
+            rules.taskName(fields.path("name"), fields.text("name")),
+            0,
+            NOWHERE,
+            NOWHERE,
+            fields.text("floor"),
+            rules.priority(fields.path("priority"), fields.number("priority")),
+            deadlineRule.apply(fields.moment("deadline", "error.deadline")),
+            null,
+            rules.robotNames(fields.path("onlyRobots"), fields.choices("onlyRobots")),
+            List.of());
+    Double load = fields.number("load");
+    if (load != null && load != 0) {
+      refuse(fields, "load", "error.drive.load");
+    }
+    if (fields.size("size") != null) {
+      refuse(fields, "size", "error.drive.load");
+    }
+    if (fields.arm("arm") != null) {
+      refuse(fields, "arm", "error.drive.load");
+    }
+    if (fields.hasPlace("start")) {
+      refuse(fields, "start", "error.drive.start");
+    }
+    return order;
+  }
+
+  private static void refuse(Fields fields, String field, String key) {
+    fields.errors().add(fields.path(field), fields.texts().get(key));
   }
 
   /** The sentences are in the order of the columns of a table. */

@@ -23,6 +23,7 @@ final class TaskOrderTable {
   private static final List<String> COLUMNS =
       List.of(
           "name",
+          "kind",
           "load",
           "pieces",
           "start",
@@ -161,10 +162,11 @@ final class TaskOrderTable {
         errors.add(column, texts.get("error.import.column.twice", column));
       }
     }
-    Stream.of("name", "load")
+    boolean hasDrives = header.contains("kind");
+    (hasDrives ? Stream.of("name") : Stream.of("name", "load"))
         .filter(column -> !header.contains(column))
         .forEach(column -> errors.add(column, texts.get("error.import.column.missing", column)));
-    Stream.of("start", "goal")
+    (hasDrives ? Stream.of("goal") : Stream.of("start", "goal"))
         .filter(end -> !header.contains(end))
         .filter(end -> !(header.contains(end + "X") && header.contains(end + "Y")))
         .forEach(end -> errors.add(end, texts.get("error.import.column.place", end)));

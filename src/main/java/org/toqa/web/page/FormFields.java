@@ -95,6 +95,11 @@ final class FormFields implements Fields {
             rules.coordinate(name, number(name + "Y", name))));
   }
 
+  @Override
+  public boolean hasPlace(String name) {
+    return Stream.of("Station", "X", "Y").anyMatch(field -> text(name + field) != null);
+  }
+
   /** Stations; one that was not chosen counts for nothing. */
   @Override
   public List<Where> places(String name, int max) {

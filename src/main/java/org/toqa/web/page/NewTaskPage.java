@@ -148,28 +148,25 @@ public final class NewTaskPage extends PageHandler {
             user,
             IdempotentSubmitter.idempotencyKey(user, "form " + idempotencyKey(request)))) {
       case KeyedAnswer.Answered<TaskView>(var answer) ->
-          acceptedValue(request, atFormField(answer), errors);
+          acceptedValue(request, atFormField(order, answer), errors);
       case KeyedAnswer.Repeated<TaskView>(TaskView before) -> Optional.of(before);
       case KeyedAnswer.KeyReused<TaskView>() ->
           acceptedValue(
               request,
-              atFormField(FleetAnswers.await(services(request).fleet().submit(order, user.name()))),
+              atFormField(
+                  order, FleetAnswers.await(services(request).fleet().submit(order, user.name()))),
               errors);
     };
   }
 
-  /** The first two stops are the form's start and goal. */
-  private static Answer<TaskView> atFormField(Answer<TaskView> answer) {
+  /** The first two stops are the form's start and goal, or of a drive the first one its goal. */
+  private static Answer<TaskView> atFormField(TaskOrder order, Answer<TaskView> answer) {
     if (answer instanceof Answer.Rejected<TaskView>(String field, Sentence sentence)
         && field != null
         && field.startsWith("stops.")) {
-      String shownAt =
-          switch (field) {
-            case "stops.0" -> "start";
-            case "stops.1" -> "goal";
-            default -> "stop";
-          };
-      return new Answer.Rejected<>(shownAt, sentence);
+      int stop = Integer.parseInt(field.substring("stops.".length()));
+      return new Answer.Rejected<>(
+          OrderRejections.entered(order.isDrive() ? stop + 1 : stop, "stop"), sentence);
     }
     return answer;
   }

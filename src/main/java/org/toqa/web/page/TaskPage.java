@@ -273,7 +273,11 @@ public final class TaskPage extends PageHandler {
             .filter(load -> load.task() == task.id())
             .findFirst()
             .orElse(null));
-    request.setAttribute("timeline", TIMELINE);
-    request.setAttribute("reached", TIMELINE.indexOf(task.state()));
+    List<TaskState> timeline =
+        TIMELINE.stream()
+            .filter(state -> state != TaskState.CARRYING || !task.task().isDrive())
+            .toList();
+    request.setAttribute("timeline", timeline);
+    request.setAttribute("reached", timeline.indexOf(task.state()));
   }
 }

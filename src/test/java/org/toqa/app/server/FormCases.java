@@ -44,6 +44,7 @@ final class FormCases {
                     "zone",
                     "when",
                     "pieces",
+                    "kind",
                     "stopStation",
                     "onlyRobots"),
                 Map.of("name", NAME_OF_100, "idempotencyKey", TAKEN))),

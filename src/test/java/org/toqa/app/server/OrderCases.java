@@ -29,6 +29,11 @@ final class OrderCases {
       {"name":"Box","load":2,"stops":[{"station":"Goods-in 1"},{"station":"Mill","waitSeconds":9}]}\
       """;
 
+  private static final String DRIVE =
+      """
+      {"name":"Look","kind":"DRIVE","stops":[{"station":"Mill"}]}\
+      """;
+
   private static final String DRAWING =
       """
       {"width":9,"height":9,"resolution":1,"origin":{"x":0,"y":0},
@@ -66,6 +71,7 @@ final class OrderCases {
             204),
         post("tasks", TASK, task(""), 201),
         post("tasks", TOUR, Map.of("/stops/0/station", REFUSED), 201),
+        post("tasks", DRIVE, Map.of("/kind", REFUSED, "/stops/0/station", REFUSED), 201),
         post("tasks/preview", TASK, task(""), 200),
         post("tasks/preview", TOUR, Map.of("/stops/0/station", REFUSED), 200),
         new OrderCase("PUT", "tasks/{waiting}", TOUR, Map.of("/stops/0/station", REFUSED), 200),

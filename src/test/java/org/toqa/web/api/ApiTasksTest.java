@@ -94,6 +94,32 @@ class ApiTasksTest extends ApiTestServer {
   }
 
   @Test
+  void aDriveHasAGoalOrStopsAndNoLoad() {
+    HttpResponse<String> answer =
+        post(
+            token,
+            "api/v1/tasks",
+            "{\"name\":\"look\",\"kind\":\"DRIVE\",\"goal\":{\"station\":\"Dock A\"}}");
+
+    assertEquals(201, answer.statusCode(), answer.body());
+    JsonNode task = JSON.readTree(answer.body());
+    assertEquals("DRIVE", task.get("kind").stringValue());
+    assertEquals(0, task.get("load").asDouble());
+    assertEquals(1, task.get("stops").size());
+    assertEquals("Dock A", task.get("goal").get("station").stringValue());
+    assertEquals(List.of(), JSON.readTree(get("api/v1/loads").body()).values());
+
+    answer =
+        post(
+            token,
+            "api/v1/tasks",
+            "{\"name\":\"round\",\"kind\":\"DRIVE\",\"stops\":[{\"station\":\"Dock A\",\"waitSeconds\":9},{\"x\":2,\"y\":1}]}");
+    assertEquals(201, answer.statusCode(), answer.body());
+    assertEquals(
+        9, JSON.readTree(answer.body()).get("stops").get(0).get("waitSeconds").asInt());
+  }
+
+  @Test
   void aTaskSaysWhenItIsExpectedOrWhyNobodyCanSay() {
     long id = JSON.readTree(post(token, "api/v1/tasks", GOOD_TASK).body()).get("id").asLong();
     Instant pickUp = Instant.parse("2026-11-21T08:00:30Z");
@@ -165,13 +191,18 @@ class ApiTasksTest extends ApiTestServer {
           {"name":"x","load":2,"start":{"x":1},"goal":{"station":"Shelf 3"}} | 422 | Choose a station, or enter x and y in metres.
           {"name":"x","load":2,"start":{"x":1,"y":1,"station":"Dock A"},"goal":{"station":"Shelf 3"}} | 422 | “start” must be an object with the name of a station ("station": "Store A") or with x and y in metres ("x": 1.5, "y": 2).
           {"name":"x","load":2,"goal":{"station":"Shelf 3"}} | 422 | “start” must be an object with the name of a station ("station": "Store A") or with x and y in metres ("x": 1.5, "y": 2).
-          {"name":"x","load":2,"start":{"station":"Dock A"},"goal":{"station":"Shelf 3"},"colour":"red"} | 422 | Unknown field “colour”. Allowed: stops, name, load, start, goal, floor, priority, deadline, size, onlyRobots, arm.
+          {"name":"x","load":2,"start":{"station":"Dock A"},"goal":{"station":"Shelf 3"},"colour":"red"} | 422 | Unknown field “colour”. Allowed: kind, stops, name, load, start, goal, floor, priority, deadline, size, onlyRobots, arm.
           {"name":"x","load":2,"start":{"station":"Dock A","z":1},"goal":{"station":"Shelf 3"}} | 422 | Unknown field “start.z”. Allowed: station.
           {"name":"x","load":2,"start":{"station":"Dock A"},"goal":{"station":"Shelf 3"},"onlyRobots":"r1"} | 422 | “onlyRobots” must be a list of texts in brackets.
           {"name":"x","load":2,"start":{"station":"Dock A"},"goal":{"station":"Shelf 3"},"onlyRobots":["r 1"]} | 422 | Name robots as the list of robots has them, such as r1 and r2.
           {"name":"x","load":2,"start":{"station":"Dock A"},"stops":[{"station":"Dock A"},{"station":"Shelf 3"}]} | 422 | Either start and goal, or stops. The first stop is the start, the last one the goal.
           {"name":"x","load":2,"stops":[{"station":"Dock A"}]} | 422 | At least two stops, the start and a goal.
           {"name":"x","load":2,"stops":[{"station":"Dock A"},{"station":"Shelf 3","waitSeconds":0}]} | 422 | Robots wait a whole number of seconds, from 1 to 86400.
+          {"name":"x","kind":"FLY","goal":{"station":"Dock A"}} | 422 | The kind of a task is TRANSPORT, or DRIVE for a drive without a load.
+          {"name":"x","kind":"DRIVE","load":1,"goal":{"station":"Dock A"}} | 422 | A drive carries no load. Leave this empty, or order that a load is carried.
+          {"name":"x","kind":"DRIVE","start":{"station":"Dock A"},"goal":{"station":"Dock A"}} | 422 | A drive begins where its robot is. Leave the start empty.
+          {"name":"x","kind":"DRIVE","stops":[]} | 422 | At least one stop to which the robot drives.
+          {"name":"x","kind":"DRIVE","goal":{"station":"Dock A"},"stops":[{"station":"Dock A"}]} | 422 | Either a goal or stops. The last stop is the goal.
           {"name":"x","load":0,"start":{"station":"Dock A"},"goal":{"station":"Shelf 3"}} | 422 | The weight must be above 0 and at most 100,000 kg.
           {"name":"x","load":1e999,"start":{"station":"Dock A"},"goal":{"station":"Shelf 3"}} | 422 | The weight must be above 0 and at most 100,000 kg.
           {"name":"x","load":2,"start":{"x":1e300,"y":1},"goal":{"station":"Shelf 3"}} | 422 | Coordinates must lie within 1,000,000 m of the map’s origin.

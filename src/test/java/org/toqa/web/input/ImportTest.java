@@ -161,6 +161,43 @@ class ImportTest {
   }
 
   @Test
+  void aTableMayHaveDrivesWithoutALoad() {
+    HttpResponse<String> answer =
+        post(
+            "api/v1/tasks/import",
+            """
+            name,kind,load,start,goal,goalWait,stops
+            look,Drive,,,Dock A,60,Shelf 3: person
+            box,,1,Dock A,Shelf 3,,
+            """);
+
+    assertEquals(201, answer.statusCode(), answer.body());
+    JsonNode tasks = JSON.readTree(answer.body());
+    assertEquals("DRIVE", tasks.get(0).get("kind").stringValue());
+    assertEquals(60, tasks.get(0).get("stops").get(0).get("waitSeconds").asInt());
+    assertTrue(tasks.get(0).get("stops").get(1).get("waitForPerson").booleanValue());
+    assertEquals("TRANSPORT", tasks.get(1).get("kind").stringValue());
+
+    answer =
+        post(
+            "api/v1/tasks/import",
+            """
+            name,kind,load,start,goal,stops
+            a,drive,1,Dock A,Dock A,
+            b,drive,,,Moon,
+            c,drive,,,Dock A,Moon
+            d,,,Dock A,Shelf 3,
+            """);
+    assertEquals(422, answer.statusCode(), answer.body());
+    assertEquals(
+        List.of("2 load", "2 start", "3 goal", "4 stops", "5 load"),
+        JSON.readTree(answer.body()).get("errors").values().stream()
+            .map(e -> e.get("line") + " " + e.get("field").stringValue())
+            .sorted()
+            .toList());
+  }
+
+  @Test
   void aStopThatIsWrongIsNamedByItsColumn() {
     HttpResponse<String> answer =
         post(

@@ -94,6 +94,26 @@ class SchedulesTest extends WebServerTest {
   }
 
   @Test
+  void aDriveWithoutALoadComesAgainAndAgain() {
+    Map<String, String> form =
+        Map.of(
+            "name", "look",
+            "kind", "drive",
+            "goalStation", "Shelf 3",
+            "goalWait", "60",
+            "zone", "Europe/Paris",
+            "when", "every",
+            "first", "2098-07-01T15:00",
+            "everyMinutes", "30");
+    assertEquals(303, clerk.post("tasks/new", form).statusCode());
+
+    JsonNode task = JSON.readTree(clerk.get("api/v1/schedules").body()).get(0).get("task");
+    assertEquals("DRIVE", task.get("kind").stringValue());
+    assertEquals("Shelf 3", task.get("stops").get(0).get("station").stringValue());
+    assertEquals(60, task.get("stops").get(0).get("waitSeconds").asInt());
+  }
+
+  @Test
   void theTaskIsCheckedLikeAnyOther() {
     String at = ",\"at\":\"2098-07-01T15:00:00Z\"}";
     for (String wrong :

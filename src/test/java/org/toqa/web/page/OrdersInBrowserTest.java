@@ -140,6 +140,31 @@ class OrdersInBrowserTest extends PagesInBrowser {
   }
 
   @Test
+  void aDriveWithoutALoadIsOrderedAndFollowed() {
+    Page page = loggedIn(WebTestServer.CLERK, DESK, "tasks/new");
+    page.locator("#kind").selectOption("drive");
+    assertThat(page.locator("#load")).isHidden();
+    assertThat(page.locator("#startStation")).isHidden();
+    page.locator("#name").fill("Look");
+    page.locator("#goalStation").selectOption("Shelf 3");
+    page.locator("details.stops summary").click();
+    page.locator("select[name=goalWait]").selectOption("person");
+    page.locator("select[name=stopStation]").first().selectOption("Dock A");
+    assertThat(page.locator("#preview")).isVisible();
+    assertFits(page, "new-drive", DESK, PHONE, DARK_PHONE);
+    click(button(page, "Create task"));
+
+    assertThat(page.locator("ol.stops li")).hasCount(2);
+    assertThat(page.locator("dl")).containsText("None: a drive without a load");
+    server.fleet().changeTask(1, TaskState.TO_OBJECT, List.of("r1"), "r1 drives.");
+    assertThat(page.locator("[aria-current=step]").first()).hasText("Driving");
+    assertFits(page, "drive", DESK, PHONE);
+    page.navigate(server.root() + "tasks");
+    assertThat(page.locator("tbody tr").first()).containsText("Shelf 3 – Dock A");
+    assertThat(page.locator("tbody .state").first()).hasText("Driving");
+  }
+
+  @Test
   void aLoadGoesOnFromStopToStopInArabic() {
     Page page =
         loggedIn(
