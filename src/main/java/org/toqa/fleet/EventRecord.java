@@ -87,8 +87,7 @@ public record EventRecord(
     String who = event instanceof MissionEvent.OperatorCommand command ? command.user() : SYSTEM;
     long task = step.mission().id();
     String floor = step.mission().task().floor();
-    EventKind kind =
-        isAtStop(step.mission(), event) ? EventKind.TASK_AT_STOP : EventKind.of(event);
+    EventKind kind = isAtStop(step.mission(), event) ? EventKind.TASK_AT_STOP : EventKind.of(event);
     return step.history().stream()
         .map(said -> new EventRecord(at, kind, task, robot, who, said).onFloor(floor))
         .toList();

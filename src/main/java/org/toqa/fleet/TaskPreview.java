@@ -10,8 +10,8 @@ import org.toqa.wording.Sentence;
  * @param robots how many carry the load; 0 where no robots are there that could
  * @param chosen the robots that would carry it now; empty where it would wait
  * @param reason why these, or what it would wait for
- * @param path of the load, or of a drive its robot's, by the map, metres, map frame: the traffic may choose another one. Empty
- *     where the map alone shows none
+ * @param path of the load, or of a drive its robot's, by the map, metres, map frame: the traffic
+ *     may choose another one. Empty where the map alone shows none
  */
 public record TaskPreview(int robots, List<String> chosen, Sentence reason, List<Vec2> path) {
 

@@ -37,7 +37,9 @@ final class OperatorCommandRules {
     return switch (mission.state()) {
       case CANCELLED -> Optional.empty();
       case DONE, FAILED -> objectionToChange(mission);
-      case RETURNING -> Optional.of(Objection.of(
+      case RETURNING ->
+          Optional.of(
+              Objection.of(
                   (mission.task().isDrive() ? Phrase.DRIVEN_ALREADY : Phrase.DELIVERED_ALREADY)
                       .with()));
       case CARRYING ->

@@ -78,7 +78,8 @@ final class PhaseRules {
 
   /** One that was told twice has nothing to do with the next stop. */
   private static boolean isOfOtherStop(Mission mission, MissionEvent.PhaseEnded event) {
-    boolean isAlongStops = event.phase() == (mission.task().isDrive() ? Phase.TO_OBJECT : Phase.TO_GOAL);
+    boolean isAlongStops =
+        event.phase() == (mission.task().isDrive() ? Phase.TO_OBJECT : Phase.TO_GOAL);
     return isAlongStops
         && mission.ending() == null
         && event.stop() != mission.stopNumber(event.phase());
@@ -90,7 +91,8 @@ final class PhaseRules {
       return mission.withState(TaskState.TO_OBJECT).step(List.of(), one);
     }
     return mission.isToWaitAtObject()
-        ? waitAt(mission.stopNumber(Phase.TO_OBJECT), mission.withState(TaskState.TO_OBJECT), one, event)
+        ? waitAt(
+            mission.stopNumber(Phase.TO_OBJECT), mission.withState(TaskState.TO_OBJECT), one, event)
         : leaveObject(mission, ofSeveral(mission, one));
   }
 
@@ -112,8 +114,7 @@ final class PhaseRules {
             .withProgress(new StopProgress(next, null))
             .withState(TaskState.TO_OBJECT);
     return going.step(
-        going.driveCommands(Phase.TO_OBJECT),
-        followed(before, leaves(where, next, mission)));
+        going.driveCommands(Phase.TO_OBJECT), followed(before, leaves(where, next, mission)));
   }
 
   private static Sentence leaves(Sentence where, int next, Mission mission) {
@@ -163,8 +164,7 @@ final class PhaseRules {
             .withAssignedRobots(inPhase(mission, Phase.TO_GOAL))
             .withProgress(new StopProgress(next, null));
     return going.step(
-        going.driveCommands(Phase.TO_GOAL),
-        followed(before, leaves(where, next, mission)));
+        going.driveCommands(Phase.TO_GOAL), followed(before, leaves(where, next, mission)));
   }
 
   private static Mission.Step arriveAtDestination(Mission mission, MissionEvent.PhaseEnded event) {

@@ -57,10 +57,12 @@ class MissionPropertyTest {
 
   /** A drive never carries anything, and ends where it drives. */
   private static boolean mayFollow(Mission mission, TaskState next) {
-    return mission.task().isDrive() && next == TaskState.RETURNING
-        ? mission.state() == TaskState.ASSIGNED || mission.state() == TaskState.TO_OBJECT
-        : NEXT.getOrDefault(mission.state(), Set.of()).contains(next)
-            && !(mission.task().isDrive() && next == TaskState.CARRYING);
+    boolean isDrive = mission.task().isDrive();
+    if (isDrive && next == TaskState.RETURNING) {
+      return mission.state() == TaskState.ASSIGNED || mission.state() == TaskState.TO_OBJECT;
+    }
+    return NEXT.getOrDefault(mission.state(), Set.of()).contains(next)
+        && !(isDrive && next == TaskState.CARRYING);
   }
 
   @Property

@@ -74,10 +74,15 @@ class MissionTest {
     assertEquals(List.of("Waits at Oven"), said(step));
     assertEquals(List.of(), step.commands());
     step = step.mission().apply(new MissionEvent.GoOn("max", 1));
-    assertEquals(List.of("max let the robot go on from Oven", "Leaves Oven, stop 2 of 3"), said(step));
+    assertEquals(
+        List.of("max let the robot go on from Oven", "Leaves Oven, stop 2 of 3"), said(step));
     assertEquals(TaskState.TO_OBJECT, step.mission().state());
 
-    step = step.mission().apply(arrived(Phase.TO_OBJECT, 2)).mission().apply(new MissionEvent.WaitEnded(2));
+    step =
+        step.mission()
+            .apply(arrived(Phase.TO_OBJECT, 2))
+            .mission()
+            .apply(new MissionEvent.WaitEnded(2));
     assertEquals(TaskState.RETURNING, step.mission().state());
     assertEquals("The drive ended at (5.00, 2.00)", said(step).getLast());
     assertEquals(List.of(new MissionCommand.Drive("r1", Phase.HOME)), step.commands());
@@ -95,7 +100,8 @@ class MissionTest {
             .apply(arrived(Phase.TO_OBJECT, 1))
             .mission();
     Mission.Step step =
-        waiting.apply(new MissionEvent.RobotFailed("r1", Sentence.verbatim("reports an error"), THERE));
+        waiting.apply(
+            new MissionEvent.RobotFailed("r1", Sentence.verbatim("reports an error"), THERE));
 
     assertEquals(TaskState.QUEUED, step.mission().state());
     assertEquals("Waiting for a robot that drives to Oven", said(step).getLast());
@@ -104,7 +110,8 @@ class MissionTest {
     assertEquals("Oven", other.object().station());
     assertEquals(
         TaskState.CANCELLED,
-        other.apply(new MissionEvent.Cancel("max", null)).mission().state(), "there is no load");
+        other.apply(new MissionEvent.Cancel("max", null)).mission().state(),
+        "there is no load");
   }
 
   @Example

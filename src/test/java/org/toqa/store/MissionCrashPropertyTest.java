@@ -100,10 +100,10 @@ class MissionCrashPropertyTest {
 
   @Provide
   Arbitrary<TransportTask> tasks() {
-    return Arbitraries.of(
-        LabTask.of("box", "ann", FleetDatabaseTest.AT),
-        LabTask.tour("ann", FleetDatabaseTest.AT),
-        LabTask.drive("ann", FleetDatabaseTest.AT));
+    TransportTask box = LabTask.of("box", "ann", FleetDatabaseTest.AT);
+    TransportTask tour = LabTask.tour("ann", FleetDatabaseTest.AT);
+    TransportTask drive = LabTask.drive("ann", FleetDatabaseTest.AT);
+    return Arbitraries.of(box, box, tour, drive);
   }
 
   @Provide

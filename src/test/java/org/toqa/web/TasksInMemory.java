@@ -8,6 +8,7 @@ import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionStage;
 import java.util.function.Function;
 import java.util.function.UnaryOperator;
+import java.util.stream.IntStream;
 import org.jspecify.annotations.Nullable;
 import org.toqa.fleet.Answer;
 import org.toqa.fleet.BatchAnswer;
@@ -250,11 +251,14 @@ public abstract class TasksInMemory extends ArchiveInMemory implements Fleet {
       answers.add(
           new Answer.Rejected<>("load", Phrase.TOO_HEAVY_TOGETHER.with(order.load(), HEAVIEST)));
     }
-    if (places.getFirst().isEmpty()) {
-      answers.add(notFree("start"));
-    }
-    if (places.getLast().isEmpty()) {
-      answers.add(notFree("goal"));
+    List<String> fields =
+        order.stops().isEmpty()
+            ? List.of("start", "goal")
+            : IntStream.range(0, places.size()).mapToObj(i -> "stops." + i).toList();
+    for (int i = 0; i < places.size(); i++) {
+      if (places.get(i).isEmpty()) {
+        answers.add(notFree(fields.get(i)));
+      }
     }
     if (answers.isEmpty()) {
       answers.add(

@@ -211,8 +211,7 @@ record ForecastPicture(
       boolean isAtStop = task.progress().stop() == first && task.loadAt() == null;
       visits.add(
           new Visit(
-              task.object().position(),
-              isAtStop ? waitSeconds(task, route.get(first), first) : 0));
+              task.object().position(), isAtStop ? waitSeconds(task, route.get(first), first) : 0));
     }
     for (int i = task.task().stopAfterFirst(task.progress()); i < route.size(); i++) {
       visits.add(new Visit(route.get(i).place().position(), waitSeconds(task, route.get(i), i)));

@@ -135,12 +135,7 @@ final class TaskPreviewer {
 
   private CompletableFuture<List<Vec2>> legPath(Vec2 from, Vec2 to) {
     return paths
-        .findPath(
-            floor.grid(),
-            from,
-            to,
-            2 * PlaceCheck.SMALLEST_RADIUS,
-            check)
+        .findPath(floor.grid(), from, to, 2 * PlaceCheck.SMALLEST_RADIUS, check)
         .thenApply(
             path ->
                 switch (path) {

@@ -196,7 +196,8 @@ final class ChargingDispatcher {
     Vec2 at = mission.object().position();
     double share = state.formations.share(mission, robot.name());
     double used = Energy.joules(queues.metres(robot, pose.position(), at), 0);
-    for (TaskPlace stop : mission.task().placesFrom(mission.task().stopAfterFirst(mission.progress()))) {
+    for (TaskPlace stop :
+        mission.task().placesFrom(mission.task().stopAfterFirst(mission.progress()))) {
       used += Energy.joules(queues.metres(robot, at, stop.position()), share);
       at = stop.position();
     }

@@ -191,9 +191,7 @@ final class DriveDispatcher {
             .isPresent();
     boolean isOfLeftStop =
         goal.phase().isCarryingTask()
-            && mission
-                .filter(known -> known.stopNumber(goal.phase()) == goal.stop())
-                .isEmpty();
+            && mission.filter(known -> known.stopNumber(goal.phase()) == goal.stop()).isEmpty();
     return !isInPhase || isOfLeftStop;
   }
 

@@ -173,8 +173,7 @@ public final class TaskOrderReader {
   }
 
   /** To its goal, or along its stops. */
-  private static TaskOrder readDrive(
-      Fields fields, UnaryOperator<@Nullable Instant> deadlineRule) {
+  private static TaskOrder readDrive(Fields fields, UnaryOperator<@Nullable Instant> deadlineRule) {
     TaskOrder order = readWithoutLoad(fields, deadlineRule);
     List<StopOrder> way;
     if (fields.has("stops")) {
