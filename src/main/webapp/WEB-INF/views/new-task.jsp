@@ -53,6 +53,7 @@
             <select id="${stationField}" name="${stationField}">
               <option value=""><fmt:message key="newTask.station.none"/></option>
               <c:forEach items="${floor.stations()}" var="station"><option value="${fn:escapeXml(station.name)}" dir="auto" ${station.name == param[stationField] ? 'selected' : ''}><c:out value="${station.name}"/></option></c:forEach>
+              <c:if test="${end == 'goal' and not edits}"><t:charger-options chosen="${param.goalStation}" kind="drive"/></c:if>
             </select>
           </div>
           <div><label for="${end}X"><fmt:message key="newTask.x"/></label><input id="${end}X" name="${end}X" inputmode="decimal" dir="ltr" autocomplete="off" value="${fn:escapeXml(param[end += 'X'])}" aria-describedby="${end}-help"></div>
@@ -87,7 +88,7 @@
             <c:forTokens items="start,goal" delims="," var="end">
               <c:set var="waitField" value="${end}Wait"/>
               <fmt:message key="newTask.${end}" var="endLabel"/>
-              <div ${end == 'start' ? 'data-for="transport"' : ''}><label><fmt:message key="newTask.wait.at"><fmt:param value="${endLabel}"/></fmt:message><fmt:message key="newTask.wait.at" var="label"><fmt:param value="${endLabel}"/></fmt:message><t:wait-choice name="${waitField}" label="${label}" chosen="${param[waitField]}"/></label></div>
+              <div ${end == 'start' ? 'data-for="transport"' : ''}><label><fmt:message key="newTask.wait.at"><fmt:param value="${endLabel}"/></fmt:message><fmt:message key="newTask.wait.at" var="label"><fmt:param value="${endLabel}"/></fmt:message><t:wait-choice name="${waitField}" label="${label}" chosen="${param[waitField]}" charges="${end == 'goal' and not empty floor.charging()}"/></label></div>
             </c:forTokens>
           </div>
           <c:forEach begin="0" end="3" var="at">
@@ -95,9 +96,10 @@
             <select name="stopStation" aria-label="${label}" aria-describedby="stop-help" ${not empty errors.stop ? 'aria-invalid="true"' : ''}>
               <option value="">${label}: <fmt:message key="newTask.station.none"/></option>
               <c:forEach items="${floor.stations()}" var="station"><option value="${fn:escapeXml(station.name)}" dir="auto" ${station.name == paramValues.stopStation[at] ? 'selected' : ''}><c:out value="${station.name}"/></option></c:forEach>
+              <t:charger-options chosen="${paramValues.stopStation[at]}"/>
             </select>
             <fmt:message key="newTask.wait.at" var="waitLabel"><fmt:param value="${label}"/></fmt:message>
-            <t:wait-choice name="stopWait" label="${waitLabel}" chosen="${paramValues.stopWait[at]}"/>
+            <t:wait-choice name="stopWait" label="${waitLabel}" chosen="${paramValues.stopWait[at]}" charges="${not empty floor.charging()}"/>
           </c:forEach>
           <div data-for="transport">
             <label for="carriedBy"><fmt:message key="newTask.carriedBy"/></label>

@@ -60,7 +60,7 @@
               <dd>
                 <ol class="stops">
                   <c:forEach items="${task.stops()}" var="each">
-                    <li data-state="${each.state()}" ${each.state() == 'HERE' or each.state() == 'NEXT' ? 'aria-current="step"' : ''}><t:place place="${each.stop().place()}"/>${" "}<t:stop-wait stop="${each.stop()}"/>${" "}<strong><fmt:message key="task.stop.${each.state()}"/></strong><c:if test="${not empty each.since()}">${" "}<span class="faint"><t:time at="${each.since()}"/></span></c:if></li>
+                    <li data-state="${each.state()}" ${each.state() == 'HERE' or each.state() == 'NEXT' ? 'aria-current="step"' : ''}><t:stop-place stop="${each.stop()}"/>${" "}<t:stop-wait stop="${each.stop()}"/>${" "}<strong><fmt:message key="task.stop.${each.state()}"/></strong><c:if test="${not empty each.since()}">${" "}<span class="faint"><t:time at="${each.since()}"/></span></c:if></li>
                   </c:forEach>
                 </ol>
               </dd>

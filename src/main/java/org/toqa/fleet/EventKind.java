@@ -156,6 +156,7 @@ public enum EventKind {
       case MissionEvent.HandOver ignored -> TASK_HANDED_OVER;
       case MissionEvent.GoOn ignored -> TASK_WENT_ON;
       case MissionEvent.WaitEnded ignored -> TASK_WENT_ON;
+      case MissionEvent.ChargeEnded ignored -> TASK_WENT_ON;
       case MissionEvent.LoadFetched ignored -> TASK_LOAD_FETCHED;
       case MissionEvent.MoveLoad ignored -> TASK_LOAD_MOVED;
       case MissionEvent.RemoveLoad ignored -> TASK_LOAD_REMOVED;

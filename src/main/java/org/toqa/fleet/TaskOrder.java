@@ -39,19 +39,42 @@ public record TaskOrder(
     List<StopOrder> stops,
     @Nullable ArmHandling arm) {
 
-  /** A place on its way, and what robots wait for there: as {@link Stop}. */
-  public record StopOrder(Where where, boolean awaitsPerson, @Nullable Duration waitTime) {
+  /**
+   * A place on its way, and what robots wait for there: as {@link Stop}.
+   *
+   * @param until as far as the robot charges there, of 0 to 1; null: nobody said
+   */
+  public record StopOrder(
+      Where where, boolean awaitsPerson, @Nullable Duration waitTime, @Nullable Double until) {
 
+    /** One at which no robot charges. */
+    public StopOrder(Where where, boolean awaitsPerson, @Nullable Duration waitTime) {
+      this(where, awaitsPerson, waitTime, null);
+    }
+
+    /** Whether one robot must go all the way. */
     public boolean hasWait() {
-      return awaitsPerson || waitTime != null;
+      return awaitsPerson || waitTime != null || isCharging();
+    }
+
+    public boolean isCharging() {
+      return where instanceof Where.Charger;
     }
 
     private Stop at(TaskPlace place) {
-      return new Stop(place, awaitsPerson, waitTime);
+      return new Stop(place, awaitsPerson, waitTime, charge());
+    }
+
+    /** How the robot charges there; null: it does not. */
+    public Stop.@Nullable Charge charge() {
+      return where instanceof Where.Charger(String charger)
+          ? new Stop.Charge(charger, until)
+          : null;
     }
 
     private boolean isAt(Stop stop) {
       return where.isAt(stop.place())
+          && Objects.equals(charge(), stop.charge())
           && awaitsPerson == stop.awaitsPerson()
           && Objects.equals(waitTime, stop.waitTime());
     }
@@ -159,10 +182,18 @@ public record TaskOrder(
 
     record Station(String name) implements Where {}
 
+    /**
+     * A charging point, at a stop alone.
+     *
+     * @param name null: the robot chooses one
+     */
+    record Charger(@Nullable String name) implements Where {}
+
     private boolean isAt(TaskPlace place) {
       return switch (this) {
         case Station(String name) -> name.equals(place.station());
         case Point(Vec2 position) -> place.station() == null && position.equals(place.position());
+        case Charger _ -> true; // the stop says which
       };
     }
   }

@@ -166,6 +166,12 @@ public record TaskView(
     return progress.waitingSince() != null;
   }
 
+  /** Whether its next stop is to charge. */
+  public boolean isChargingNext() {
+    int next = state == TaskState.CARRYING ? Math.max(1, progress.stop()) : progress.stop();
+    return task.route().get(next).charge() != null;
+  }
+
   /** Where its load still goes, the place first where it is fetched if it is not on board. */
   public List<TaskPlace> placesAhead() {
     List<TaskPlace> stops = task.placesFrom(task.stopAfterFirst(progress));

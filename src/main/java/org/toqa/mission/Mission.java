@@ -182,6 +182,30 @@ public record Mission(
     return stopNumber() == task.route().size() - 1;
   }
 
+  /** The stop at which its robot charges, or to which it is on its way to charge. */
+  public Optional<Stop> chargingStop() {
+    boolean isOnItsWay =
+        switch (state) {
+          case ASSIGNED, TO_OBJECT -> task.isDrive();
+          case CARRYING -> ending == null;
+          case QUEUED, RETURNING, DONE, FAILED, CANCELLED -> false;
+        };
+    int stop = state == TaskState.CARRYING ? stopNumber() : progress.stop();
+    return isOnItsWay
+        ? Optional.of(task.route().get(stop)).filter(next -> next.charge() != null)
+        : Optional.empty();
+  }
+
+  /** For people: where its robots go first. */
+  Sentence objectSentence() {
+    return task.isDrive() ? task.route().get(progress.stop()).sentence() : object().sentence();
+  }
+
+  /** For people: where the load on board is carried. */
+  Sentence destinationSentence() {
+    return ending == LoadChoice.BACK ? task.start().sentence() : stopAhead().sentence();
+  }
+
   /** The stop at which its robots wait, all of them having come there. */
   public Optional<Stop> waitingStop() {
     return progress.waitingSince() == null
@@ -270,6 +294,7 @@ public record Mission(
         && assignedRobots.getFirst().isDriving()
         && !held
         && trouble == null
+        && chargingStop().isEmpty()
         && task.arm() == null; // it may be in the hand already
   }
 
@@ -294,6 +319,7 @@ public record Mission(
       case MissionEvent.OperatorCommand command ->
           objectionTo(command).isPresent() ? unchangedStep() : applyCommand(command);
       case MissionEvent.WaitEnded ended -> StopRules.onWaitEnded(this, ended);
+      case MissionEvent.ChargeEnded ended -> StopRules.onChargeEnded(this, ended);
       case MissionEvent.LoadFetched fetched ->
           OperatorCommandRules.endLeftLoad(this, Phrase.LOAD_FETCHED.with(fetched.byTask()));
       case MissionEvent.OfRobot e -> isWorkingFor(e.robot()) ? applyRobotEvent(e) : unchangedStep();

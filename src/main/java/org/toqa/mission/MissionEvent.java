@@ -37,6 +37,14 @@ public sealed interface MissionEvent {
    */
   record WaitEnded(int stop) implements MissionEvent {}
 
+  /**
+   * The robot has charged as far as was ordered.
+   *
+   * @param stop the number of the stop, from 0
+   * @param battery what it has, of 0 to 1
+   */
+  record ChargeEnded(int stop, double battery) implements MissionEvent {}
+
   /** The robot, driving home, was given another task. */
   record Retasked(String robot) implements OfRobot {}
 

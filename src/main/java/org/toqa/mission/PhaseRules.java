@@ -18,7 +18,7 @@ final class PhaseRules {
         .step(
             List.of(),
             mission.task().isDrive()
-                ? Phrase.SET_OUT_FOR.with(event.robot(), mission.object().sentence())
+                ? Phrase.SET_OUT_FOR.with(event.robot(), mission.objectSentence())
                 : Phrase.SET_OUT.with(event.robot()));
   }
 
@@ -103,7 +103,7 @@ final class PhaseRules {
 
   /** To the next stop, or home from the last one. */
   private static Mission.Step driveOn(Mission mission, List<Sentence> before) {
-    Sentence where = mission.object().sentence();
+    Sentence where = mission.objectSentence();
     if (mission.isDriveAtLastStop()) {
       return goHome(mission, followed(before, Phrase.DRIVE_ENDED.with(where)));
     }
@@ -145,16 +145,14 @@ final class PhaseRules {
   private static Mission.Step waitAt(
       int stop, Mission mission, Sentence one, MissionEvent.PhaseEnded event) {
     Mission waiting = mission.withProgress(new StopProgress(stop, event.at()));
-    return waiting.step(
-        List.of(),
-        followed(
-            ofSeveral(mission, one),
-            Phrase.WAITS_AT_STOP.with(waiting.waitingStop().orElseThrow().place().sentence())));
+    Stop at = waiting.waitingStop().orElseThrow();
+    Phrase phrase = at.charge() == null ? Phrase.WAITS_AT_STOP : Phrase.CHARGES_AT_STOP;
+    return waiting.step(List.of(), followed(ofSeveral(mission, one), phrase.with(at.sentence())));
   }
 
   /** Its robots, all at a stop with the load, drive on, or home from the last one. */
   static Mission.Step leaveStop(Mission mission, List<Sentence> before) {
-    Sentence where = mission.destination().sentence();
+    Sentence where = mission.destinationSentence();
     if (mission.isAtLastStop()) {
       return goHome(mission, followed(before, Phrase.DELIVERED.with(where)));
     }

@@ -4,24 +4,55 @@ import java.time.Duration;
 import java.time.Instant;
 import java.util.Optional;
 import org.jspecify.annotations.Nullable;
+import org.toqa.wording.Phrase;
+import org.toqa.wording.Sentence;
 
 /**
- * A place on a mission's way, with what its robots wait for there before they drive on.
+ * A place on a mission's way, with what its robots wait for there before they drive on: whichever
+ * of it comes first.
  *
+ * @param place where it is; of a charging point that the robot chooses one that it may be
  * @param awaitsPerson whether they wait until a person says that they may go on
- * @param waitTime how long they wait after they have come; null: not at all. With a person, who
- *     comes first decides
+ * @param waitTime how long they wait after they have come; null: as long as else is waited for
+ * @param charge how the robot charges there; null: it is no charging point
  */
-public record Stop(TaskPlace place, boolean awaitsPerson, @Nullable Duration waitTime) {
+public record Stop(
+    TaskPlace place, boolean awaitsPerson, @Nullable Duration waitTime, @Nullable Charge charge) {
+
+  /**
+   * What is ordered of charging.
+   *
+   * @param charger the charging point's name; null: one that the robot chooses
+   * @param until as far as this, of 0 to 1; null: nobody said
+   */
+  public record Charge(@Nullable String charger, @Nullable Double until) {
+
+    /** For people: the charging point. */
+    public Sentence sentence() {
+      return charger == null
+          ? Phrase.CHARGER_OF_ITS_CHOICE.with()
+          : Phrase.CHARGER_NAMED.with(charger);
+    }
+  }
+
+  /** One that is no charging point. */
+  public Stop(TaskPlace place, boolean awaitsPerson, @Nullable Duration waitTime) {
+    this(place, awaitsPerson, waitTime, null);
+  }
 
   /** One at which nobody waits. */
   public static Stop at(TaskPlace place) {
     return new Stop(place, false, null);
   }
 
+  /** For people: where it is. */
+  public Sentence sentence() {
+    return charge == null ? place.sentence() : charge.sentence();
+  }
+
   /**
-   * How long they still wait here, of the fleet's time, 0 or less where that is over; empty: a
-   * person alone is waited for, or nobody.
+   * How long they still wait here, of the fleet's time, 0 or less where that is over; empty: no
+   * time was said.
    *
    * @param since when they came
    * @param pace seconds of the fleet's time in a second of the clock
@@ -32,6 +63,19 @@ public record Stop(TaskPlace place, boolean awaitsPerson, @Nullable Duration wai
   }
 
   public boolean hasWait() {
-    return awaitsPerson || waitTime != null;
+    return awaitsPerson || waitTime != null || charge != null;
+  }
+
+  /**
+   * As far as the robot charges here, of 0 to 1; empty: that does not let it go on.
+   *
+   * @param usual as far as robots charge otherwise, which counts where nothing else is waited for
+   */
+  public Optional<Double> chargesUntil(double usual) {
+    if (charge == null) {
+      return Optional.empty();
+    }
+    boolean isOpen = charge.until() == null && !awaitsPerson && waitTime == null;
+    return isOpen ? Optional.of(usual) : Optional.ofNullable(charge.until());
   }
 }

@@ -29,8 +29,16 @@ final class StopRules {
         : leave(mission, Phrase.WAITED_LONG_ENOUGH.with(place(mission)));
   }
 
+  static Mission.Step onChargeEnded(Mission mission, MissionEvent.ChargeEnded event) {
+    return mission.waitingStop().filter(stop -> stop.charge() != null).isEmpty()
+            || mission.progress().stop() != event.stop()
+        ? mission.unchangedStep()
+        : leave(
+            mission, Phrase.CHARGED_ENOUGH.with(place(mission), Math.round(100 * event.battery())));
+  }
+
   private static Sentence place(Mission mission) {
-    return mission.waitingStop().orElseThrow().place().sentence();
+    return mission.waitingStop().orElseThrow().sentence();
   }
 
   private static Mission.Step leave(Mission mission, Sentence why) {

@@ -150,6 +150,11 @@ public record TransportTask(
     return isDrive() ? progress.stop() + 1 : Math.max(1, progress.stop());
   }
 
+  /** Whether its robot charges at one of its stops. */
+  public boolean hasCharging() {
+    return stops.stream().anyMatch(stop -> stop.charge() != null);
+  }
+
   /** All of its way, the start first and the goal last. */
   public List<Stop> route() {
     return stops.isEmpty() ? List.of(Stop.at(start), Stop.at(goal)) : stops;

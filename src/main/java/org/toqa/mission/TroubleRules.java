@@ -189,7 +189,7 @@ final class TroubleRules {
         TaskState.QUEUED,
         sentence,
         (queued.task().isDrive() ? Phrase.DRIVE_WAITS_FOR_ROBOT : Phrase.WAITS_FOR_ROBOT)
-            .with(queued.object().sentence()));
+            .with(queued.objectSentence()));
   }
 
   private static boolean isCarrying(Mission mission) {

@@ -6,6 +6,7 @@ import java.time.Instant;
 import java.time.LocalTime;
 import java.time.ZoneId;
 import java.util.Arrays;
+import java.util.List;
 import java.util.Objects;
 import java.util.stream.Collectors;
 import org.jdbi.v3.core.mapper.Nested;
@@ -13,6 +14,7 @@ import org.jspecify.annotations.Nullable;
 import org.toqa.fleet.Recurrence;
 import org.toqa.fleet.Schedule;
 import org.toqa.fleet.TaskOrder;
+import org.toqa.fleet.TaskOrder.StopOrder;
 
 /**
  * A row of the table of schedules.
@@ -50,18 +52,19 @@ record ScheduleRow(
     @Nullable String stops) {
 
   Schedule toSchedule() {
+    List<StopOrder> way = StopsJson.readOrder(stops);
     TaskOrder order =
         new TaskOrder(
             name,
             loadKg,
-            start.toWhere(),
-            goal.toWhere(),
+            way.isEmpty() ? start.toWhere() : way.getFirst().where(),
+            way.isEmpty() ? goal.toWhere() : way.getLast().where(),
             floor,
             priority,
             null,
             TaskRow.loadSize(loadLength, loadWidth),
             RobotNames.read(onlyRobots),
-            StopsJson.readOrder(stops));
+            way);
     return new Schedule(
         id,
         order,

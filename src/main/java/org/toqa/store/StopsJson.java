@@ -24,13 +24,34 @@ final class StopsJson {
    * @param station null: it was given by coordinates
    * @param person whether a person is waited for
    * @param seconds that are waited; null: none
+   * @param charges whether the robot charges there; null: it does not
+   * @param charger its charging point; null: the robot chooses, or does not charge
+   * @param until as far as it charges, of 0 to 1; null: nobody said
    */
   private record Entry(
       @Nullable Double x,
       @Nullable Double y,
       @Nullable String station,
       boolean person,
-      @Nullable Long seconds) {
+      @Nullable Long seconds,
+      @Nullable Boolean charges,
+      @Nullable String charger,
+      @Nullable Double until) {
+
+    boolean isCharging() {
+      return Boolean.TRUE.equals(charges);
+    }
+
+    Stop.@Nullable Charge charge() {
+      return isCharging() ? new Stop.Charge(charger, until) : null;
+    }
+
+    Where where() {
+      if (isCharging()) {
+        return new Where.Charger(charger);
+      }
+      return station == null ? new Where.Point(position()) : new Where.Station(station);
+    }
 
     Vec2 position() {
       return new Vec2(Objects.requireNonNull(x), Objects.requireNonNull(y));
@@ -46,29 +67,36 @@ final class StopsJson {
   }
 
   static @Nullable String write(List<Stop> stops) {
-    return json(
-        stops.stream()
-            .map(
-                stop ->
-                    new Entry(
-                        stop.place().position().x(),
-                        stop.place().position().y(),
-                        stop.place().station(),
-                        stop.awaitsPerson(),
-                        seconds(stop.waitTime())))
-            .toList());
+    return json(stops.stream().map(StopsJson::entry).toList());
   }
 
   static @Nullable String writeOrder(List<StopOrder> stops) {
     return json(stops.stream().map(StopsJson::entry).toList());
   }
 
+  private static Entry entry(Stop stop) {
+    Stop.Charge charge = stop.charge();
+    return new Entry(
+        stop.place().position().x(),
+        stop.place().position().y(),
+        stop.place().station(),
+        stop.awaitsPerson(),
+        seconds(stop.waitTime()),
+        charge == null ? null : true,
+        charge == null ? null : charge.charger(),
+        charge == null ? null : charge.until());
+  }
+
   private static Entry entry(StopOrder stop) {
     boolean person = stop.awaitsPerson();
     Long seconds = seconds(stop.waitTime());
     return switch (stop.where()) {
-      case Where.Station(String name) -> new Entry(null, null, name, person, seconds);
-      case Where.Point(Vec2 at) -> new Entry(at.x(), at.y(), null, person, seconds);
+      case Where.Station(String name) ->
+          new Entry(null, null, name, person, seconds, null, null, null);
+      case Where.Point(Vec2 at) ->
+          new Entry(at.x(), at.y(), null, person, seconds, null, null, null);
+      case Where.Charger(String name) ->
+          new Entry(null, null, null, person, seconds, true, name, stop.until());
     };
   }
 
@@ -83,20 +111,14 @@ final class StopsJson {
                 new Stop(
                     new TaskPlace(entry.position(), entry.station()),
                     entry.person(),
-                    entry.waitTime()))
+                    entry.waitTime(),
+                    entry.charge()))
         .toList();
   }
 
   static List<StopOrder> readOrder(@Nullable String json) {
     return entries(json).stream()
-        .map(
-            entry ->
-                new StopOrder(
-                    entry.station() == null
-                        ? new Where.Point(entry.position())
-                        : new Where.Station(entry.station()),
-                    entry.person(),
-                    entry.waitTime()))
+        .map(entry -> new StopOrder(entry.where(), entry.person(), entry.waitTime(), entry.until()))
         .toList();
   }
 

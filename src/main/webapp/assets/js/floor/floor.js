@@ -45,6 +45,10 @@ export class Floor {
     return this.#map.stations;
   }
 
+  get charging() {
+    return this.#map.charging;
+  }
+
   /** The station that a click at a map point selects, if there is one. */
   stationAt(x, y, metresPerPixel) {
     return this.stations.find((station) => Math.hypot(station.x - x, station.y - y) <= SNAP * metresPerPixel);

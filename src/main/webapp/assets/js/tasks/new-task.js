@@ -30,7 +30,7 @@ class PlaceFields {
   /** As the API takes it; undefined while it is incomplete. */
   get value() {
     if (this.station.value) {
-      return {station: this.station.value};
+      return stopAt(this.station.value);
     }
     const point = {x: numberIn(this.x), y: numberIn(this.y)};
     return point.x === undefined || point.y === undefined ? undefined : point;
@@ -39,6 +39,9 @@ class PlaceFields {
   /** Its map point; undefined while it is incomplete. */
   pointOn(floor) {
     const {value} = this;
+    if (value?.charge) {
+      return floor.charging.find(({name}) => name === value.charge.charger);
+    }
     return value?.station ? floor.stations.find(({name}) => name === value.station) : value;
   }
 
@@ -107,7 +110,7 @@ class NewTaskPage {
     const kind = this.#isDrive ? 'drive' : 'transport';
     for (const part of document.querySelectorAll('[data-for]')) {
       part.hidden = part.dataset.for !== kind;
-      for (const field of part.querySelectorAll('input, select')) {
+      for (const field of [part, ...part.querySelectorAll('input, select')]) {
         field.disabled = part.hidden;
       }
     }
@@ -218,14 +221,23 @@ function values(name) {
 function furtherStops() {
   const waits = values('stopWait');
   return values('stopStation')
-    .map((station, at) => withWait({station}, waits[at]))
-    .filter(({station}) => station);
+    .map((station, at) => station && withWait(stopAt(station), waits[at]))
+    .filter((stop) => stop);
+}
+
+/** @param chosen a station, or a charger as the form has it: charge, or charge@ and its name */
+function stopAt(chosen) {
+  const [, charger] = chosen.match(/^charge(?:@(.*))?$/) ?? [];
+  return /^charge(@|$)/.test(chosen) ? {charge: {charger}} : {station: chosen};
 }
 
 /** @param wait as the form has it: person, a number of seconds, or nothing */
 function withWait(place, wait) {
   if (!wait) {
     return place;
+  }
+  if (wait.endsWith('%')) {
+    return {...place, charge: {...place.charge, until: Number.parseInt(wait, 10) / 100}};
   }
   return wait === 'person' ? {...place, waitForPerson: true} : {...place, waitSeconds: Number(wait)};
 }

@@ -77,7 +77,12 @@ public final class MissionEvents {
             new MissionEvent.Answer("max", Reply.CANCEL));
     Arbitrary<MissionEvent> goOn = Arbitraries.just(new MissionEvent.GoOn("max", null));
     Arbitrary<MissionEvent> waits =
-        Arbitraries.integers().between(0, 3).map(MissionEvent.WaitEnded::new);
+        Arbitraries.integers()
+            .between(0, 3)
+            .flatMap(
+                stop ->
+                    Arbitraries.of(
+                        new MissionEvent.WaitEnded(stop), new MissionEvent.ChargeEnded(stop, 0.9)));
     return Arbitraries.frequencyOf(
             Tuple.of(1, started),
             Tuple.of(12 * driving, ended),

@@ -102,8 +102,8 @@ class MissionPropertyTest {
   /** Whatever is lost, repeated or told late. */
   @Property
   void everyStopIsLeftOnceAndInOrder(
-      @ForAll boolean isDrive, @ForAll("manyEvents") List<MissionEvent> events) {
-    Mission mission = Mission.queued(isDrive ? MissionTest.DRIVE : MissionTest.TOUR);
+      @ForAll("tours") TransportTask task, @ForAll("manyEvents") List<MissionEvent> events) {
+    Mission mission = Mission.queued(task);
     List<Integer> left = new ArrayList<>();
     for (MissionEvent event : events) {
       Mission before = MissionEvents.givenToRobots(mission);
@@ -117,7 +117,7 @@ class MissionPropertyTest {
             before + " to " + mission);
       }
     }
-    List<Integer> all = isDrive ? List.of(0, 1, 2) : List.of(0, 1, 2, 3);
+    List<Integer> all = task.isDrive() ? List.of(0, 1, 2) : List.of(0, 1, 2, 3);
     assertEquals(all.subList(0, left.size()), left);
     boolean isDelivered = mission.state().isDelivered();
     assertEquals(isDelivered, left.size() == all.size());
@@ -165,7 +165,13 @@ class MissionPropertyTest {
 
   @Provide
   Arbitrary<TransportTask> tasks() {
-    return Arbitraries.of(MissionTest.TASK, MissionTest.TOUR, MissionTest.DRIVE);
+    return Arbitraries.of(
+        MissionTest.TASK, MissionTest.TOUR, MissionTest.DRIVE, MissionTest.CHARGING_DRIVE);
+  }
+
+  @Provide
+  Arbitrary<TransportTask> tours() {
+    return Arbitraries.of(MissionTest.TOUR, MissionTest.DRIVE, MissionTest.CHARGING_DRIVE);
   }
 
   @Provide

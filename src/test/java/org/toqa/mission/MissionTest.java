@@ -8,6 +8,7 @@ import java.time.Duration;
 import java.time.Instant;
 import java.util.List;
 import java.util.Objects;
+import java.util.Optional;
 import net.jqwik.api.Example;
 import org.jspecify.annotations.Nullable;
 import org.toqa.geometry.Vec2;
@@ -50,6 +51,14 @@ class MissionTest {
                   new Stop(place("Oven"), true, null),
                   new Stop(TASK.goal(), false, Duration.ofSeconds(30))));
 
+  /** The same, and it charges at the second and at the last one. */
+  static final TransportTask CHARGING_DRIVE =
+      DRIVE.withStops(
+          List.of(
+              Stop.at(place("Mill")),
+              new Stop(place("Oven"), false, null, new Stop.Charge("C1", 0.8)),
+              new Stop(TASK.goal(), true, Duration.ofSeconds(30), new Stop.Charge(null, null))));
+
   private static TaskPlace place(String station) {
     return new TaskPlace(new Vec2(station.length(), 1), station);
   }
@@ -87,6 +96,48 @@ class MissionTest {
     assertEquals("The drive ended at (5.00, 2.00)", said(step).getLast());
     assertEquals(List.of(new MissionCommand.Drive("r1", Phase.HOME)), step.commands());
     assertTrue(step.mission().objectionTo(new MissionEvent.Cancel("max", null)).isPresent());
+  }
+
+  @Example
+  void whoChargesGoesOnWhenItHasWhatWasOrdered() {
+    Mission mission =
+        Mission.queued(CHARGING_DRIVE).assign(List.of("r1"), Sentence.verbatim("near")).mission();
+    assertTrue(mission.chargingStop().isEmpty());
+    mission = mission.apply(arrived(Phase.TO_OBJECT, 0)).mission();
+    assertEquals("charger C1", mission.chargingStop().orElseThrow().sentence().english());
+    assertFalse(mission.isExchangeable(), "it has its turn");
+    assertFalse(mission.apply(new MissionEvent.ChargeEnded(1, 0.8)).hasChanges(), "not there yet");
+
+    Mission.Step step = mission.apply(arrived(Phase.TO_OBJECT, 1));
+    assertEquals(List.of("Charges at charger C1"), said(step));
+    assertFalse(step.mission().isWaitOver(NOON.plusSeconds(1_000_000), 1), "no time was said");
+    step = step.mission().apply(new MissionEvent.ChargeEnded(1, 0.804));
+    assertEquals(
+        List.of("Charged to 80 % at charger C1", "Leaves charger C1, stop 2 of 3"), said(step));
+    assertFalse(
+        step.mission().apply(new MissionEvent.ChargeEnded(1, 0.9)).hasChanges(), "told twice");
+
+    step = step.mission().apply(arrived(Phase.TO_OBJECT, 2));
+    assertEquals(List.of("Charges at a charger of its choice"), said(step));
+    assertTrue(step.mission().isWaitOver(NOON.plusSeconds(30), 1));
+    step = step.mission().apply(new MissionEvent.WaitEnded(2));
+    assertEquals("The drive ended at a charger of its choice", said(step).getLast());
+    assertTrue(step.mission().chargingStop().isEmpty());
+  }
+
+  @Example
+  void howFarARobotChargesIsSaidOrUsualWhereNothingElseIsWaitedFor() {
+    TaskPlace place = TASK.goal();
+    Duration minute = Duration.ofMinutes(1);
+    assertEquals(Optional.of(0.8), charging(false, null, 0.8).chargesUntil(0.95));
+    assertEquals(Optional.of(0.95), charging(false, null, null).chargesUntil(0.95));
+    assertEquals(Optional.empty(), charging(false, minute, null).chargesUntil(0.95));
+    assertEquals(Optional.empty(), charging(true, null, null).chargesUntil(0.95));
+    assertEquals(Optional.empty(), new Stop(place, true, minute).chargesUntil(0.95));
+  }
+
+  private static Stop charging(boolean person, @Nullable Duration time, @Nullable Double until) {
+    return new Stop(TASK.goal(), person, time, new Stop.Charge(null, until));
   }
 
   @Example

@@ -25,11 +25,14 @@ public final class LabTask {
             new Stop(GOAL, true, Duration.ofSeconds(5))));
   }
 
-  /** Without a load along two stops: a person at the first one. */
+  /** Without a load along two stops: a person at the first one, and it charges at the last. */
   public static TransportTask drive(String user, Instant at) {
     TaskPlace mill = new TaskPlace(new Vec2(1.5, 1), "Mill");
     return new TransportTask(0, "drive", 0, mill, GOAL, "lab", 0, null, null, user, at)
-        .withStops(List.of(new Stop(mill, true, null), Stop.at(GOAL)));
+        .withStops(
+            List.of(
+                new Stop(mill, true, null),
+                new Stop(GOAL, false, Duration.ofSeconds(9), new Stop.Charge("C1", 0.75))));
   }
 
   /** A box of 1 kg that was asked for then; its id is not known yet. */

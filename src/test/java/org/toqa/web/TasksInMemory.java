@@ -438,6 +438,11 @@ public abstract class TasksInMemory extends ArchiveInMemory implements Fleet {
           Optional.of(new TaskPlace(position, null)).filter(p -> floor.grid().isFree(p.position()));
       case Where.Station(String name) ->
           floor.place(name).map(p -> new TaskPlace(p.position(), p.name()));
+      case Where.Charger(String name) ->
+          floor.charging().stream()
+              .filter(p -> name == null || p.name().equals(name))
+              .findFirst()
+              .map(p -> new TaskPlace(p.position(), null));
     };
   }
 

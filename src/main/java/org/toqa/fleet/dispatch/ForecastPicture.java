@@ -60,6 +60,9 @@ record ForecastPicture(
   /** A path that ends nearer, metres, leads there. */
   private static final double THERE = 0.15;
 
+  /** Assumed of a robot that has not said what its battery has, or is not known yet. */
+  private static final double UNKNOWN_BATTERY = 0.5;
+
   /**
    * A task without robots.
    *
@@ -225,8 +228,24 @@ record ForecastPicture(
       return 0;
     }
     Instant since = task.progress().stop() == number ? task.progress().waitingSince() : null;
-    return stop.waitLeft(since == null ? now : since, now, rules.pace())
-        .map(left -> Math.max(0, left.toMillis() / 1000.0))
+    double time =
+        stop.waitLeft(since == null ? now : since, now, rules.pace())
+            .map(left -> Math.max(0, left.toMillis() / 1000.0))
+            .orElse(Double.POSITIVE_INFINITY);
+    return Math.min(time, chargeSeconds(task, stop));
+  }
+
+  /** Until its robot has charged as far as was ordered; infinite where that ends no wait. */
+  private double chargeSeconds(TaskView task, Stop stop) {
+    double battery =
+        robots.stream()
+            .filter(robot -> task.robots().contains(robot.name()))
+            .map(robot -> robot.telemetry().battery())
+            .filter(Objects::nonNull)
+            .findFirst()
+            .orElse(UNKNOWN_BATTERY);
+    return stop.chargesUntil(rules.charging().until())
+        .map(level -> Math.max(0, level - battery) * rules.charging().toFull().toSeconds())
         .orElse(Double.POSITIVE_INFINITY);
   }
 
@@ -268,6 +287,7 @@ record ForecastPicture(
         robots.stream().collect(Collectors.toMap(RobotView::name, robot -> robot));
     return begun.stream()
         .filter(task -> task.robots().size() == 1 && !task.isWaitingAtStop())
+        .filter(task -> !task.isChargingNext()) // it may wait for others first
         .filter(task -> task.state() == TaskState.TO_OBJECT || task.state() == TaskState.CARRYING)
         .filter(task -> unknown(task) == null)
         .flatMap(

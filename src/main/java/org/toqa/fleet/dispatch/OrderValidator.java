@@ -2,7 +2,9 @@ package org.toqa.fleet.dispatch;
 
 import java.time.Instant;
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.List;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.OptionalInt;
 import java.util.Set;
@@ -124,9 +126,42 @@ final class OrderValidator {
           resolvePlace(Phrase.START, "start", order.start()),
           resolvePlace(Phrase.GOAL, "goal", order.goal()));
     }
-    return IntStream.range(0, order.stops().size())
-        .mapToObj(i -> resolvePlace(Phrase.PLACE, stopField(i), order.stops().get(i).where()))
-        .toList();
+    List<Answer<TaskPlace>> places = new ArrayList<>();
+    Vec2 before = Vec2.ZERO;
+    for (int i = 0; i < order.stops().size(); i++) {
+      Where where = order.stops().get(i).where();
+      Answer<TaskPlace> place =
+          where instanceof Where.Charger(String name)
+              ? resolveCharger(stopField(i), name, before)
+              : resolvePlace(Phrase.PLACE, stopField(i), where);
+      if (place instanceof Answer.Accepted<TaskPlace>(TaskPlace known)) {
+        before = known.position();
+      }
+      places.add(place);
+    }
+    return places;
+  }
+
+  /**
+   * The charging point of that name.
+   *
+   * @param name null: the nearest one stands for the one that the robot will choose
+   * @param from where the robot comes from
+   */
+  private Answer<TaskPlace> resolveCharger(String field, @Nullable String name, Vec2 from) {
+    if (floor.charging().isEmpty()) {
+      return new Answer.Rejected<>(field, Phrase.NO_CHARGERS.with());
+    }
+    return floor.charging().stream()
+        .filter(point -> name == null || point.name().equals(name))
+        .min(Comparator.comparingDouble(point -> point.position().distanceTo(from)))
+        .map(point -> checkStandable(Phrase.PLACE, field, new TaskPlace(point.position(), null)))
+        .orElseGet(
+            () ->
+                new Answer.Rejected<>(
+                    field,
+                    Phrase.NO_SUCH_CHARGER.with(
+                        Objects.requireNonNull(name), names(floor.charging()))));
   }
 
   private static String stopField(int stop) {
@@ -394,6 +429,7 @@ final class OrderValidator {
                       new Answer.Rejected<>(
                           field, Phrase.NO_SUCH_STATION.with(name, names(floor.stations()))));
       case Where.Point(Vec2 position) -> checkStandable(end, field, new TaskPlace(position, null));
+      case Where.Charger(String name) -> resolveCharger(field, name, Vec2.ZERO);
     };
   }
 

@@ -21,7 +21,7 @@ import org.toqa.mission.AssignedRobot;
 import org.toqa.mission.Mission;
 import org.toqa.mission.MissionEvent;
 import org.toqa.mission.Phase;
-import org.toqa.mission.TaskPlace;
+import org.toqa.mission.Stop;
 import org.toqa.wording.Phrase;
 import org.toqa.wording.Sentence;
 
@@ -30,6 +30,8 @@ import org.toqa.wording.Sentence;
  * long since it last charged, takes a turn at the charging point where it can begin soonest, and
  * waits for those that were there before. It is never taken from a load on board; before the
  * pick-up only where its battery would not last. A turn is stored before the robot moves for it.
+ * Where a mission has a stop to charge at, its robot takes such a turn too, and goes on when it has
+ * what was ordered.
  */
 final class ChargingDispatcher {
   /** Another charging point is worth a change of mind if it saves so much. */
@@ -68,14 +70,19 @@ final class ChargingDispatcher {
   void update() {
     Duration passed = Duration.between(lastUpdate, state.now);
     lastUpdate = state.now;
+    state.chargers.forgetExpired(state.now);
+    state.robots.values().forEach(this::updateOrdered);
     if (state.floor.charging().isEmpty()) {
       return;
     }
-    state.chargers.forgetExpired(state.now);
     for (FloorRobot robot : state.robots.values()) {
       addWork(robot, passed);
       Optional<Turn> turn = robot.charging.turn();
-      if (turn.isEmpty()) {
+      if (robot.charging.isForTask()) {
+        if (turn.isPresent() && robot.charging.isTurnStored()) {
+          continueTurn(robot, turn.get());
+        }
+      } else if (turn.isEmpty()) {
         chargingReason(robot)
             .ifPresentOrElse(why -> begin(robot, why), () -> setStatus(robot, null));
       } else if (robot.charging.isTurnStored()) {
@@ -83,6 +90,103 @@ final class ChargingDispatcher {
       }
     }
     updateDemand(passed);
+  }
+
+  // --- for a task -------------------------------------------------------------------------------
+
+  /** Takes a turn for a mission that charges next, and ends it when that goes on. */
+  private void updateOrdered(FloorRobot robot) {
+    Optional<Mission> mission = chargingMission(robot);
+    if (mission.isEmpty()) {
+      if (robot.charging.isForTask() || isLeftOver(robot)) {
+        endOrdered(robot);
+      }
+      return;
+    }
+    robot.charging.setForTask(true);
+    boolean isStored = state.missions.storedMissionOf(robot.name()).equals(mission);
+    if (isStored && !robot.charging.hasTurn() && robot.isFit() && !robot.hold.isHeld()) {
+      beginOrdered(robot, mission.get());
+    }
+  }
+
+  /**
+   * Whether its mission had gone on when the server was killed, and its turn had not ended: for
+   * itself no robot charges while it works for a mission.
+   */
+  private boolean isLeftOver(FloorRobot robot) {
+    return robot.charging.isTurnStored()
+        && state
+            .missions
+            .missionOf(robot.name())
+            .filter(mission -> phase(mission, robot).isCarryingTask())
+            .isPresent();
+  }
+
+  /** The mission whose next stop, or this one, is to charge. */
+  private Optional<Mission> chargingMission(FloorRobot robot) {
+    return state
+        .missions
+        .missionOf(robot.name())
+        .filter(mission -> mission.chargingStop().isPresent());
+  }
+
+  private void beginOrdered(FloorRobot robot, Mission mission) {
+    String name = charge(mission).charger();
+    Optional<Place> point =
+        name == null ? queues.soonest(robot).map(ChargingQueues.Choice::point) : point(name);
+    if (point.isPresent()) {
+      takeTurn(robot, point.get(), Phrase.TASK_CHARGES_IT.with(mission.id()));
+    } else {
+      askForHelp(
+          robot,
+          name == null
+              ? Phrase.NO_WAY_TO_CHARGER.with()
+              : Phrase.CHARGER_OF_TASK_IS_GONE.with(name, mission.id()));
+    }
+  }
+
+  private static Stop.Charge charge(Mission mission) {
+    return Objects.requireNonNull(mission.chargingStop().orElseThrow().charge());
+  }
+
+  private Optional<Place> point(String name) {
+    return state.floor.charging().stream().filter(p -> p.name().equals(name)).findFirst();
+  }
+
+  /** Whether it may charge nowhere else. */
+  private boolean isBoundToCharger(FloorRobot robot) {
+    return chargingMission(robot).filter(mission -> charge(mission).charger() != null).isPresent();
+  }
+
+  private void endOrdered(FloorRobot robot) {
+    Double battery = robot.reported.battery();
+    Optional<Turn> turn = robot.charging.turn();
+    if (turn.isPresent() && robot.charging.isCharging() && battery != null) {
+      endTurn(
+          robot,
+          EventKind.ROBOT_CHARGED,
+          Phrase.ROBOT_HAS_CHARGED.with(robot.name(), turn.get().point(), percent(battery)));
+    } else if (turn.isPresent()) {
+      abandonTurn(robot, Phrase.TASK_CHARGES_IT_NO_MORE.with());
+    } else {
+      robot.charging.endTurn();
+      state.changed = true;
+    }
+  }
+
+  /** The level counts from when it is at the stop, and lets nobody go on who is on hold. */
+  private void endWhereCharged(Mission mission, double battery) {
+    mission
+        .waitingStop()
+        .filter(_ -> !mission.held() && mission.trouble() == null)
+        .flatMap(stop -> stop.chargesUntil(rules.until()))
+        .filter(level -> battery >= level)
+        .ifPresent(
+            _ ->
+                missions.applyEvent(
+                    mission.id(),
+                    new MissionEvent.ChargeEnded(mission.progress().stop(), battery)));
   }
 
   private void updateDemand(Duration passed) {
@@ -149,7 +253,9 @@ final class ChargingDispatcher {
     Optional<Mission> mission = state.missions.missionOf(robot.name());
     return switch (mission.map(m -> phase(m, robot)).orElse(Phase.NONE)) {
       case TO_OBJECT ->
-          battery < rules.below() && !isBatteryEnoughFor(mission.orElseThrow(), robot, battery)
+          mission.flatMap(Mission::chargingStop).isEmpty()
+                  && battery < rules.below()
+                  && !isBatteryEnoughFor(mission.orElseThrow(), robot, battery)
               ? Optional.of(Phrase.NOT_ENOUGH_FOR_ITS_TASK.with(percent(battery)))
               : Optional.empty();
       case TO_GOAL -> Optional.empty();
@@ -196,10 +302,15 @@ final class ChargingDispatcher {
     Vec2 at = mission.object().position();
     double share = state.formations.share(mission, robot.name());
     double used = Energy.joules(queues.metres(robot, pose.position(), at), 0);
-    for (TaskPlace stop :
-        mission.task().placesFrom(mission.task().stopAfterFirst(mission.progress()))) {
-      used += Energy.joules(queues.metres(robot, at, stop.position()), share);
-      at = stop.position();
+    int next = mission.task().stopAfterFirst(mission.progress());
+    List<Stop> ahead = mission.task().route().stream().skip(next).toList();
+    for (Stop stop : ahead) {
+      Vec2 place = stop.place().position();
+      used += Energy.joules(queues.metres(robot, at, place), share);
+      at = place;
+      if (stop.charge() != null) {
+        return used < battery * Energy.BATTERY_JOULES;
+      }
     }
     used += Energy.joules(queues.metresToCharger(robot, at), 0);
     return used < battery * Energy.BATTERY_JOULES;
@@ -239,8 +350,7 @@ final class ChargingDispatcher {
   // --- driving there, waiting, charging ---------------------------------------------------------
 
   private void continueTurn(FloorRobot robot, Turn turn) {
-    Optional<Place> point =
-        state.floor.charging().stream().filter(p -> p.name().equals(turn.point())).findFirst();
+    Optional<Place> point = point(turn.point());
     if (point.isEmpty()) {
       abandonTurn(robot, Phrase.CHARGER_IS_GONE.with(turn.point()));
     } else if (!robot.settings.isInService()) {
@@ -257,7 +367,7 @@ final class ChargingDispatcher {
 
   /** Leaves a point that does not charge for one that may. */
   private boolean switchFromFaultyCharger(FloorRobot robot, Place point) {
-    if (!state.chargers.isFaulty(point) || !robot.isFit()) {
+    if (!state.chargers.isFaulty(point) || !robot.isFit() || isBoundToCharger(robot)) {
       return false;
     }
     Optional<Place> other =
@@ -286,9 +396,18 @@ final class ChargingDispatcher {
     }
     robot.charging.setCharging(isThere);
     robot.charging.setAwaitingTurn(false);
-    robot.drive.setGoal(DriveGoal.toCharger(point.position()));
+    Optional<Mission> mission = chargingMission(robot);
+    robot.drive.setGoal(
+        mission
+            .map(ordered -> state.formations.driveGoal(ordered, robot.name()))
+            .orElse(DriveGoal.toCharger(point.position())));
     if (!isThere || battery == null) {
       state.chargers.robotLeft(robot.name());
+    } else if (mission.isPresent()) {
+      if (battery + ChargerWatch.MIN_RISE < rules.until()) {
+        watchBattery(robot, point, battery);
+      }
+      endWhereCharged(mission.get(), battery);
     } else if (battery >= rules.until()
         || (battery >= rules.untilWhileOthersWait() && queues.isAwaitedByOthers(robot, point))) {
       finishCharging(robot, point, battery);
@@ -319,8 +438,9 @@ final class ChargingDispatcher {
     robot.charging.setCharging(false);
     robot.charging.setAwaitingTurn(true);
     robot.drive.dropGoalWithoutTask(); // it may drive home meanwhile
+    chargingMission(robot).map(Mission::id).ifPresent(robot.drive::dropGoal);
     setStatus(robot, Phrase.AWAITS_CHARGER.with(chargerSentence(point, ahead)));
-    if (!robot.isFit()) {
+    if (!robot.isFit() || isBoundToCharger(robot)) {
       return;
     }
     double here = queues.secondsUntilCharging(robot, point);

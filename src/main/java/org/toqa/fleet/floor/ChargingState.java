@@ -19,6 +19,7 @@ final class ChargingState {
   private boolean helpNeeded;
   private @Nullable Sentence status;
   private @Nullable Long taskBeyondBattery;
+  private boolean forTask;
 
   /** Its place at a charging point; empty: it need not charge. */
   Optional<Turn> turn() {
@@ -42,6 +43,11 @@ final class ChargingState {
   /** Whether others come before it at its charging point. */
   boolean isAwaitingTurn() {
     return awaitingTurn;
+  }
+
+  /** Whether it charges since its task says so. */
+  boolean isForTask() {
+    return forTask;
   }
 
   /** Why a person must help, for it cannot reach a charging point; null: nobody must. */
@@ -108,6 +114,10 @@ final class ChargingState {
     turnStored |= Objects.equals(turn, stored);
   }
 
+  void setForTask(boolean ordered) {
+    forTask = ordered;
+  }
+
   void setCharging(boolean charges) {
     charging = charges;
   }
@@ -129,6 +139,7 @@ final class ChargingState {
     awaitingTurn = false;
     helpNeeded = false;
     status = null;
+    forTask = false;
   }
 
   /**

@@ -35,6 +35,11 @@ record DriveGoal(
     return new DriveGoal(task, phase, goal, radians, load, stop, isWithoutLoad);
   }
 
+  /** The same, to another place. */
+  DriveGoal leadingTo(Vec2 place) {
+    return new DriveGoal(task, phase, place, heading, load, stop, isWithoutLoad);
+  }
+
   static DriveGoal toParking(Vec2 parking) {
     return withoutTask(parking);
   }

@@ -116,7 +116,7 @@ public final class FloorAgent extends AbstractBehavior<FloorMessage> {
                 AgentHealth.of(context.getSystem())
                     .recordLeftOut(change, runtime.monotonicNanos()));
     watch = new FloorWatch(floor, traffic);
-    reports = new FloorReporter(state, watch, manager);
+    reports = new FloorReporter(state, watch, rules.charging().until(), manager);
     missions =
         new FloorMissions(
             state,

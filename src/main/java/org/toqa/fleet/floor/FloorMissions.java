@@ -137,7 +137,8 @@ final class FloorMissions {
     for (AssignedRobot c : mission.assignedRobots()) {
       FloorRobot robot = state.robots.get(c.robot());
       boolean isAtStop = !c.unassigned() && mission.waitingStop().isPresent();
-      if ((c.isDriving() || isAtStop) && robot != null && !mission.isStopping()) {
+      boolean charges = mission.chargingStop().isPresent(); // its turn says where
+      if ((c.isDriving() || isAtStop) && robot != null && !mission.isStopping() && !charges) {
         robot.drive.setGoal(state.formations.driveGoal(mission, c.robot()));
       }
     }
@@ -320,8 +321,13 @@ final class FloorMissions {
     }
     long task = step.mission().id();
     switch (command) {
-      case MissionCommand.Drive drive ->
+      case MissionCommand.Drive drive -> {
+        if (step.mission().chargingStop().isPresent()) {
+          robot.drive.dropGoal(task); // it drives when it is its turn
+        } else {
           robot.drive.setGoalNow(state.formations.driveGoal(step.mission(), drive.robot()));
+        }
+      }
       case MissionCommand.Stop stop -> robot.drive.dropGoal(task);
       case MissionCommand.Unassign letGo -> robot.drive.dropGoal(task);
     }

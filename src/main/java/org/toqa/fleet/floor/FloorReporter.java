@@ -15,6 +15,7 @@ import org.toqa.geometry.Pose;
 import org.toqa.grid.CellRuns;
 import org.toqa.mission.AssignedRobot;
 import org.toqa.mission.Mission;
+import org.toqa.mission.Stop;
 import org.toqa.traffic.floor.RemainingPath;
 import org.toqa.wording.Phrase;
 import org.toqa.wording.Sentence;
@@ -29,9 +30,15 @@ final class FloorReporter {
 
   private final FloorState state;
   private final FloorWatch watch;
+  private final double usualCharge;
   private final ActorRef<FloorEvent> manager;
 
-  FloorReporter(FloorState state, FloorWatch watch, ActorRef<FloorEvent> manager) {
+  /**
+   * @param usualCharge as far as robots charge where nobody said, of 0 to 1
+   */
+  FloorReporter(
+      FloorState state, FloorWatch watch, double usualCharge, ActorRef<FloorEvent> manager) {
+    this.usualCharge = usualCharge;
     this.state = state;
     this.watch = watch;
     this.manager = manager;
@@ -147,14 +154,17 @@ final class FloorReporter {
   }
 
   /** Where its robots wait at a stop, whom or what they wait for. */
-  private static Optional<Sentence> waitAtStop(Mission mission) {
+  private Optional<Sentence> waitAtStop(Mission mission) {
     return mission
         .waitingStop()
         .map(
             stop -> {
               Sentence robots = Sentence.names(mission.robots());
-              Sentence place = stop.place().sentence();
+              Sentence place = stop.sentence();
               Duration wait = stop.waitTime();
+              if (stop.charge() != null) {
+                return chargeSentence(robots, stop);
+              }
               if (wait == null) {
                 return Phrase.WAITS_FOR_PERSON_AT.with(robots, place);
               }
@@ -164,6 +174,20 @@ final class FloorReporter {
                       : Phrase.WAITS_A_WHILE_AT;
               return phrase.with(robots, place, Sentence.of(wait));
             });
+  }
+
+  /** What lets it go on, whichever comes first. */
+  private Sentence chargeSentence(Sentence robots, Stop stop) {
+    List<Sentence> ends = new ArrayList<>();
+    stop.chargesUntil(usualCharge)
+        .ifPresent(level -> ends.add(Phrase.CHARGED_TO.with(Math.round(100 * level))));
+    if (stop.waitTime() != null) {
+      ends.add(Phrase.TIME_HAS_PASSED.with(Sentence.of(stop.waitTime())));
+    }
+    if (stop.awaitsPerson()) {
+      ends.add(Phrase.SOMEBODY_SAYS_GO_ON.with());
+    }
+    return Phrase.CHARGES_UNTIL.with(robots, stop.sentence(), Sentence.joined(Phrase.OR, ends));
   }
 
   private @Nullable Sentence waitReason(Mission mission) {
@@ -192,9 +216,18 @@ final class FloorReporter {
     return reasons.isEmpty() ? null : Sentence.joined(Phrase.LISTED_APART, reasons);
   }
 
+  /** That it waits for its turn to charge for its task, or needs help with that. */
+  private static Optional<Sentence> waitForCharger(FloorRobot robot) {
+    boolean isWaiting = robot.charging.isAwaitingTurn() || robot.charging.alert() != null;
+    return robot.charging.isForTask() && isWaiting
+        ? Optional.ofNullable(robot.charging.status())
+        : Optional.empty();
+  }
+
   private static Optional<Sentence> operationalWaitReason(FloorRobot robot) {
     return Optional.ofNullable(robot.hold.reason())
         .or(() -> Optional.ofNullable(robot.drive.waitReason()))
+        .or(() -> waitForCharger(robot))
         .or(
             () ->
                 Optional.ofNullable(robot.reportedStopReason())

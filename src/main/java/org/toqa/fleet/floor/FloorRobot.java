@@ -224,7 +224,7 @@ final class FloorRobot {
       return Phrase.DRIVEN_BY_HAND.with(driver);
     }
     Sentence charges = charging.status();
-    if (charges != null && (work == null || work.task() == null)) {
+    if (charges != null && (charging.isForTask() || work == null || work.task() == null)) {
       return Objects.requireNonNullElse(drive.waitReason(), charges);
     }
     return work == null ? Phrase.IS_FREE.with() : workSentence(work);

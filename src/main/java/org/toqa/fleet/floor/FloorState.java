@@ -117,6 +117,14 @@ public final class FloorState {
             || floor.grid().cellAt(pose.position()).equals(floor.grid().cellAt(place)));
   }
 
+  /** Where the charging point of that name is, if there is one. */
+  Optional<Vec2> chargingPoint(String name) {
+    return floor.charging().stream()
+        .filter(point -> point.name().equals(name))
+        .map(Place::position)
+        .findFirst();
+  }
+
   /** Whether its cells stay reserved though nothing is heard from it. */
   boolean hasReservedCells(FloorRobot robot) {
     return !robot.isHeard() && traffic.hasRobot(robot.name());

@@ -91,7 +91,9 @@ final class Formations {
 
   /** What the robot's phase of the mission asks. */
   DriveGoal driveGoal(Mission mission, String robot) {
-    DriveGoal goal = DriveGoal.of(mission, robot, state.parkingPoint(robot), share(mission, robot));
+    DriveGoal ordered =
+        DriveGoal.of(mission, robot, state.parkingPoint(robot), share(mission, robot));
+    DriveGoal goal = chosenCharger(mission, robot).map(ordered::leadingTo).orElse(ordered);
     Optional<Double> facing = headingOfArm(mission, robot, goal.goal());
     if (facing.isPresent()) {
       return goal.facing(facing.get());
@@ -103,6 +105,14 @@ final class Formations {
     Pose place = formation.get().pose(index(mission, robot));
     return new DriveGoal(
         goal.task(), Phase.TO_OBJECT, place.position(), place.theta(), 0, 0, false);
+  }
+
+  /** Where the robot has its turn to charge for the mission. */
+  private Optional<Vec2> chosenCharger(Mission mission, String robot) {
+    FloorRobot known = state.robots.get(robot);
+    return known == null || mission.chargingStop().isEmpty()
+        ? Optional.empty()
+        : known.charging.turn().flatMap(turn -> state.chargingPoint(turn.point()));
   }
 
   /** How the robot faces at its goal for its arm; empty where that has nothing to do there. */

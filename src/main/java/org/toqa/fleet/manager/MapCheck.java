@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Optional;
 import org.jspecify.annotations.Nullable;
 import org.toqa.fleet.FloorView.LeftLoad;
@@ -18,6 +19,7 @@ import org.toqa.grid.Disc;
 import org.toqa.grid.FloorDrawing;
 import org.toqa.grid.OccupancyGrid;
 import org.toqa.grid.Place;
+import org.toqa.mission.Stop;
 import org.toqa.mission.TaskPlace;
 import org.toqa.mission.TransportTask;
 import org.toqa.motion.FreeZone;
@@ -50,7 +52,7 @@ record MapCheck(
     addPlaces(drawing, grid, problems);
     addTakenNames(drawing, problems);
     robots.forEach(robot -> addRobot(robot, drawing, grid, problems));
-    tasks.forEach(task -> addTask(task, grid, problems));
+    tasks.forEach(task -> addTask(task, drawing, grid, problems));
     loads.forEach(load -> addLoad(load, grid, problems));
     schedules.forEach(schedule -> addSchedule(schedule, drawing, grid, problems));
     drawing.freeZones().forEach(zone -> addFreeZone(zone, drawing, problems));
@@ -131,7 +133,16 @@ record MapCheck(
     return Optional.empty();
   }
 
-  private static void addTask(TransportTask task, OccupancyGrid grid, List<MapProblem> problems) {
+  private static void addTask(
+      TransportTask task, FloorDrawing drawing, OccupancyGrid grid, List<MapProblem> problems) {
+    task.stops().stream()
+        .map(Stop::charge)
+        .filter(Objects::nonNull)
+        .map(Stop.Charge::charger)
+        .filter(Objects::nonNull)
+        .filter(name -> drawing.charging().stream().noneMatch(c -> c.name().equals(name)))
+        .forEach(
+            name -> problems.add(blocking(Phrase.TASK_CHARGER_GONE.with(task.id(), name), null)));
     task.placesFrom(0).stream()
         .filter(place -> PlaceCheck.objection(grid, Phrase.PLACE, place).isPresent())
         .findFirst()
@@ -157,6 +168,12 @@ record MapCheck(
           if (drawing.stations().stream().noneMatch(s -> s.name().equals(name))) {
             problems.add(
                 blocking(Phrase.SCHEDULED_STATION_GONE.with(schedule.order().name(), name), null));
+          }
+        }
+        case Where.Charger(String name) -> {
+          if (name != null && drawing.charging().stream().noneMatch(c -> c.name().equals(name))) {
+            problems.add(
+                blocking(Phrase.SCHEDULED_CHARGER_GONE.with(schedule.order().name(), name), null));
           }
         }
         case Where.Point(Vec2 position) -> {

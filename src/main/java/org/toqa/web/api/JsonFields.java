@@ -11,6 +11,7 @@ import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
+import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 import org.toqa.fleet.TaskOrder.StopOrder;
 import org.toqa.fleet.TaskOrder.Where;
@@ -283,9 +284,31 @@ final class JsonFields implements Fields {
     for (JsonFields stop : objects(name, max)) {
       boolean awaitsPerson = stop.flag("waitForPerson");
       Duration wait = stop.rules().stopWait(stop.path("waitSeconds"), stop.number("waitSeconds"));
-      stops.add(new StopOrder(place(name + "." + stops.size(), stop), awaitsPerson, wait));
+      String at = name + "." + stops.size();
+      Optional<JsonFields> charge = stop.optionalObject("charge");
+      stops.add(
+          charge.isPresent()
+              ? charge(at, stop, charge.get(), awaitsPerson, wait)
+              : new StopOrder(place(at, stop), awaitsPerson, wait));
     }
     return stops;
+  }
+
+  /** At a charging point instead of a place. */
+  private StopOrder charge(
+      String at,
+      JsonFields stop,
+      JsonFields charge,
+      boolean awaitsPerson,
+      @Nullable Duration wait) {
+    String charger = charge.text("charger");
+    Double until = charge.rules().chargeLevel(charge.path("until"), charge.number("until"));
+    charge.refuseUnknown();
+    if (Stream.of("station", "x", "y").anyMatch(stop::has)) {
+      errors.add(path(at), texts.get("error.charge.place"));
+    }
+    stop.refuseUnknown();
+    return new StopOrder(new Where.Charger(charger), awaitsPerson, wait, until);
   }
 
   @Override

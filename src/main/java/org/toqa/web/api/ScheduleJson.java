@@ -13,6 +13,7 @@ import org.toqa.fleet.Schedule;
 import org.toqa.fleet.TaskOrder;
 import org.toqa.fleet.TaskOrder.StopOrder;
 import org.toqa.fleet.TaskOrder.Where;
+import org.toqa.mission.Stop;
 import org.toqa.mission.TaskKind;
 import org.toqa.mission.TransportTask.LoadSize;
 
@@ -44,6 +45,7 @@ record ScheduleJson(
       return switch (where) {
         case Where.Station(String name) -> new WhereJson(name, null, null);
         case Where.Point(var position) -> new WhereJson(null, position.x(), position.y());
+        case Where.Charger _ -> new WhereJson(null, null, null); // its stop says which
       };
     }
   }
@@ -55,7 +57,8 @@ record ScheduleJson(
       @Nullable Double x,
       @Nullable Double y,
       boolean waitForPerson,
-      @Nullable Long waitSeconds) {
+      @Nullable Long waitSeconds,
+      Stop.@Nullable Charge charge) {
     static StopJson of(StopOrder stop) {
       WhereJson where = WhereJson.of(stop.where());
       Duration wait = stop.waitTime();
@@ -64,7 +67,8 @@ record ScheduleJson(
           where.x(),
           where.y(),
           stop.awaitsPerson(),
-          wait == null ? null : Long.valueOf(wait.toSeconds()));
+          wait == null ? null : Long.valueOf(wait.toSeconds()),
+          stop.charge());
     }
   }
 

@@ -12,6 +12,7 @@ import org.toqa.fleet.TaskView;
 import org.toqa.mission.ArmHandling;
 import org.toqa.mission.OrderPart;
 import org.toqa.mission.Question;
+import org.toqa.mission.Stop;
 import org.toqa.mission.StopState;
 import org.toqa.mission.TaskKind;
 import org.toqa.mission.TaskPlace;
@@ -74,6 +75,7 @@ public record TaskJson(
 
   /**
    * @param waitSeconds after its robots have come; null: nothing but a person is waited for there
+   * @param charge how its robot charges there; null: it is no charging point
    * @param since when they came, where they wait there; else null
    */
   record StopJson(
@@ -82,6 +84,7 @@ public record TaskJson(
       @Nullable String station,
       boolean waitForPerson,
       @Nullable Long waitSeconds,
+      Stop.@Nullable Charge charge,
       StopState state,
       @Nullable Instant since) {
     static StopJson of(TaskView.StopView view) {
@@ -93,6 +96,7 @@ public record TaskJson(
           place.station(),
           view.stop().awaitsPerson(),
           wait == null ? null : Long.valueOf(wait.toSeconds()),
+          view.stop().charge(),
           view.state(),
           view.since());
     }

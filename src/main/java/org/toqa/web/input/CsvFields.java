@@ -105,6 +105,12 @@ record CsvFields(
     return new Where.Station(station == null ? "" : station);
   }
 
+  /** All further stops are in one column. */
+  @Override
+  public String path(String name) {
+    return name.equals("stop") ? STOPS : name;
+  }
+
   @Override
   public boolean hasPlace(String end) {
     return Stream.of("", "X", "Y").anyMatch(column -> text(end + column) != null);
@@ -147,7 +153,7 @@ record CsvFields(
             new Vec2(
                 rules().coordinate(STOPS, numbers.getFirst().orElseThrow()),
                 rules().coordinate(STOPS, numbers.getLast().orElseThrow())))
-        : new Where.Station(given);
+        : StopWords.place(given);
   }
 
   @Override
@@ -156,14 +162,8 @@ record CsvFields(
     return stop(column, where, text(column));
   }
 
-  /**
-   * @param wait {@code person}, a number of seconds, or nothing
-   */
   private StopOrder stop(String column, Where where, @Nullable String wait) {
-    boolean awaitsPerson = "person".equalsIgnoreCase(wait);
-    return wait == null || awaitsPerson
-        ? new StopOrder(where, awaitsPerson, null)
-        : new StopOrder(where, false, rules().stopWait(column, decimal(wait).orElse(Double.NaN)));
+    return StopWords.stop(this, column, where, wait, this::decimal);
   }
 
   /** The sides have columns of their own. */

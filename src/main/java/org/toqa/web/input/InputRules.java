@@ -46,6 +46,9 @@ public final class InputRules {
   /** Seconds. */
   private static final int MAX_STOP_WAIT = 86_400;
 
+  /** Of 0 to 1. */
+  private static final double MIN_CHARGE = 0.05;
+
   private static final UUID NO_LEASE = new UUID(0, 0);
 
   /** 2^53: up to here every whole number is exact in any language's JSON. */
@@ -291,6 +294,15 @@ public final class InputRules {
       return null;
     }
     return Duration.ofSeconds(seconds.longValue());
+  }
+
+  /** As far as a robot charges at a stop, of 0 to 1; null where nothing is given. */
+  public @Nullable Double chargeLevel(String field, @Nullable Double given) {
+    if (given != null && !(given >= MIN_CHARGE && given <= 1)) { // so for NaN too
+      refuse(field, "error.charge.level");
+      return null;
+    }
+    return given;
   }
 
   /** Names of robots, each once; empty where none are given. */

@@ -68,6 +68,7 @@ public final class TaskCommandReader {
     TaskPlace place =
         switch (fields.place("place")) {
           case Where.Point(Vec2 point) -> new TaskPlace(point, null);
+          case Where.Charger _ -> throw new IllegalArgumentException("no load lies there");
           case Where.Station(String name) ->
               floor.stations().stream()
                   .filter(station -> station.name().equals(name))

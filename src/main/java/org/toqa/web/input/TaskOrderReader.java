@@ -86,6 +86,7 @@ public final class TaskOrderReader {
       return pieces;
     }
     refuseArm(fields, order);
+    refuseChargingAt(fields, way, way.size() - 1, fields.path("stop"));
     if (pieces.tasks().size() > 1) {
       fields.errors().add("pieces", fields.texts().get("error.piecesOrStops"));
     }
@@ -98,7 +99,11 @@ public final class TaskOrderReader {
   private static PartsOrder readEnteredDrive(
       Fields fields, UnaryOperator<@Nullable Instant> deadlineRule) {
     TaskOrder order = readWithoutLoad(fields, deadlineRule);
-    Stream<StopOrder> first = Stream.of(fields.stopAt("goal", fields.place("goal")));
+    Where goal = fields.place("goal");
+    Stream<StopOrder> first =
+        Stream.of(
+            fields.stopAt(
+                "goal", goal instanceof Where.Station(String name) ? StopWords.place(name) : goal));
     List<StopOrder> further = fields.stops("stop", TaskOrder.MAX_STOPS - 1);
     if (fields.rules().pieces(fields.path("pieces"), fields.number("pieces")) > 1) {
       fields.errors().add(fields.path("pieces"), fields.texts().get("error.drive.pieces"));
@@ -117,6 +122,13 @@ public final class TaskOrderReader {
   private static void refuseArm(Fields fields, TaskOrder order) {
     if (order.arm() != null) {
       fields.errors().add(fields.path("arm"), fields.texts().get("error.arm.stops"));
+    }
+  }
+
+  /** At these stops a load is picked up or delivered. */
+  private static void refuseChargingAt(Fields fields, List<StopOrder> way, int stop, String field) {
+    if (!way.isEmpty() && way.get(stop).isCharging()) {
+      fields.errors().add(field, fields.texts().get("error.charge.end"));
     }
   }
 
@@ -169,6 +181,8 @@ public final class TaskOrderReader {
     }
     fields.refuseUnknown();
     refuseArm(fields, order);
+    refuseChargingAt(fields, stops, 0, fields.path("stops.0"));
+    refuseChargingAt(fields, stops, stops.size() - 1, fields.path("stops." + (stops.size() - 1)));
     return stops.isEmpty() ? order : order.along(stops);
   }
 

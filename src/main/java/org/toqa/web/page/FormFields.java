@@ -20,6 +20,7 @@ import org.toqa.web.input.Digits;
 import org.toqa.web.input.FieldErrors;
 import org.toqa.web.input.Fields;
 import org.toqa.web.input.InputRules;
+import org.toqa.web.input.StopWords;
 
 /** The fields of a form that somebody sent. */
 final class FormFields implements Fields {
@@ -129,9 +130,7 @@ final class FormFields implements Fields {
         .mapToObj(
             i ->
                 stop(
-                    name,
-                    new Where.Station(stations.get(i)),
-                    i < waits.size() ? waits.get(i) : null))
+                    name, StopWords.place(stations.get(i)), i < waits.size() ? waits.get(i) : null))
         .toList();
   }
 
@@ -140,16 +139,8 @@ final class FormFields implements Fields {
     return stop(name, where, text(name + "Wait"));
   }
 
-  /**
-   * @param wait {@code person}, a number of seconds, or nothing
-   */
   private StopOrder stop(String field, Where where, @Nullable String wait) {
-    boolean awaitsPerson = "person".equals(wait);
-    if (wait == null || wait.isBlank() || awaitsPerson) {
-      return new StopOrder(where, awaitsPerson, null);
-    }
-    double seconds = Digits.enteredNumber(wait).orElse(Double.NaN);
-    return new StopOrder(where, false, rules().stopWait(field, seconds));
+    return StopWords.stop(this, field, where, wait, Digits::enteredNumber);
   }
 
   @Override

@@ -31,7 +31,7 @@ final class OrderCases {
 
   private static final String DRIVE =
       """
-      {"name":"Look","kind":"DRIVE","stops":[{"station":"Mill"}]}\
+      {"name":"Look","kind":"DRIVE","stops":[{"station":"Mill"},{"charge":{"charger":"C1"}}]}\
       """;
 
   private static final String DRAWING =
@@ -71,7 +71,14 @@ final class OrderCases {
             204),
         post("tasks", TASK, task(""), 201),
         post("tasks", TOUR, Map.of("/stops/0/station", REFUSED), 201),
-        post("tasks", DRIVE, Map.of("/kind", REFUSED, "/stops/0/station", REFUSED), 201),
+        post(
+            "tasks",
+            DRIVE,
+            Map.of(
+                "/kind", REFUSED,
+                "/stops/0/station", REFUSED,
+                "/stops/1/charge/charger", REFUSED),
+            201),
         post("tasks/preview", TASK, task(""), 200),
         post("tasks/preview", TOUR, Map.of("/stops/0/station", REFUSED), 200),
         new OrderCase("PUT", "tasks/{waiting}", TOUR, Map.of("/stops/0/station", REFUSED), 200),

@@ -119,6 +119,22 @@ class ApiTasksTest extends ApiTestServer {
   }
 
   @Test
+  void aTaskMayChargeOnItsWay() {
+    HttpResponse<String> answer =
+        post(
+            token,
+            "api/v1/tasks",
+            "{\"name\":\"tour\",\"load\":2,\"stops\":[{\"station\":\"Dock A\"},{\"charge\":{\"until\":0.8},\"waitSeconds\":900},{\"station\":\"Shelf 3\"}]}");
+
+    assertEquals(201, answer.statusCode(), answer.body());
+    JsonNode stops = JSON.readTree(answer.body()).get("stops");
+    assertTrue(stops.get(0).get("charge").isNull());
+    assertEquals(0.8, stops.get(1).get("charge").get("until").asDouble());
+    assertTrue(stops.get(1).get("charge").get("charger").isNull());
+    assertEquals(900, stops.get(1).get("waitSeconds").asInt());
+  }
+
+  @Test
   void aTaskSaysWhenItIsExpectedOrWhyNobodyCanSay() {
     long id = JSON.readTree(post(token, "api/v1/tasks", GOOD_TASK).body()).get("id").asLong();
     Instant pickUp = Instant.parse("2026-11-21T08:00:30Z");
@@ -198,6 +214,10 @@ class ApiTasksTest extends ApiTestServer {
           {"name":"x","load":2,"stops":[{"station":"Dock A"}]} | 422 | At least two stops, the start and a goal.
           {"name":"x","load":2,"stops":[{"station":"Dock A"},{"station":"Shelf 3","waitSeconds":0}]} | 422 | Robots wait a whole number of seconds, from 1 to 86400.
           {"name":"x","kind":"FLY","load":1,"start":{"station":"Dock A"},"goal":{"station":"Shelf 3"}} | 422 | The kind of a task is TRANSPORT, or DRIVE for a drive without a load.
+          {"name":"x","load":2,"stops":[{"station":"Dock A"},{"charge":{}}]} | 422 | A load is neither picked up nor delivered at a charger. Charge between the first and the last stop, or order a drive without a load.
+          {"name":"x","kind":"DRIVE","stops":[{"charge":{"until":1.1}}]} | 422 | A robot charges to between 5 % and 100 %: in the API until 0.05 to 1.
+          {"name":"x","kind":"DRIVE","stops":[{"charge":{"level":1}}]} | 422 | Unknown field “stops.0.charge.level”. Allowed: charger, until.
+          {"name":"x","kind":"DRIVE","stops":[{"charge":{},"station":"Dock A"}]} | 422 | Either a charger, or a station or coordinates. Leave one of them out.
           {"name":"x","kind":"DRIVE","load":1,"goal":{"station":"Dock A"}} | 422 | A drive carries no load. Leave this empty, or order that a load is carried.
           {"name":"x","kind":"DRIVE","start":{"station":"Dock A"},"goal":{"station":"Dock A"}} | 422 | A drive begins where its robot is. Leave the start empty.
           {"name":"x","kind":"DRIVE","stops":[]} | 422 | At least one stop to which the robot drives.

@@ -167,7 +167,8 @@ class ImportTest {
             "api/v1/tasks/import",
             """
             name,kind,load,start,goal,goalWait,stops
-            look,Drive,,,Dock A,60,Shelf 3: person
+            look,Drive,,,Dock A,60,Shelf 3: person | Charge: 80%
+            fill,drive,,,charge,300,
             box,,1,Dock A,Shelf 3,,
             """);
 
@@ -176,7 +177,10 @@ class ImportTest {
     assertEquals("DRIVE", tasks.get(0).get("kind").stringValue());
     assertEquals(60, tasks.get(0).get("stops").get(0).get("waitSeconds").asInt());
     assertTrue(tasks.get(0).get("stops").get(1).get("waitForPerson").booleanValue());
-    assertEquals("TRANSPORT", tasks.get(1).get("kind").stringValue());
+    assertEquals(0.8, tasks.get(0).get("stops").get(2).get("charge").get("until").asDouble());
+    assertTrue(tasks.get(1).get("stops").get(0).get("charge").get("until").isNull());
+    assertEquals(300, tasks.get(1).get("stops").get(0).get("waitSeconds").asInt());
+    assertEquals("TRANSPORT", tasks.get(2).get("kind").stringValue());
 
     answer =
         post(
@@ -187,10 +191,14 @@ class ImportTest {
             b,drive,,,Moon,
             c,drive,,,Dock A,Moon
             d,,,Dock A,Shelf 3,
+            e,drive,,,Dock A,charge@C9
+            f,drive,,,Dock A,Shelf 3: 80%
+            g,,1,Dock A,Shelf 3,charge
             """);
     assertEquals(422, answer.statusCode(), answer.body());
     assertEquals(
-        List.of("2 load", "2 start", "3 goal", "4 stops", "5 load"),
+        List.of(
+            "2 load", "2 start", "3 goal", "4 stops", "5 load", "6 stops", "7 stops", "8 stops"),
         JSON.readTree(answer.body()).get("errors").values().stream()
             .map(e -> e.get("line") + " " + e.get("field").stringValue())
             .sorted()

@@ -150,17 +150,21 @@ class OrdersInBrowserTest extends PagesInBrowser {
     page.locator("details.stops summary").click();
     page.locator("select[name=goalWait]").selectOption("person");
     page.locator("select[name=stopStation]").first().selectOption("Dock A");
+    page.locator("select[name=stopStation]").nth(1).selectOption("charge");
+    page.locator("select[name=stopWait]").nth(1).selectOption("80%");
     assertThat(page.locator("#preview")).isVisible();
     assertFits(page, "new-drive", DESK, PHONE, DARK_PHONE);
     click(button(page, "Create task"));
 
-    assertThat(page.locator("ol.stops li")).hasCount(2);
+    assertThat(page.locator("ol.stops li")).hasCount(3);
+    assertThat(page.locator("ol.stops li").last())
+        .containsText("A charger of its choice charges to 80 %");
     assertThat(page.locator("dl")).containsText("None: a drive without a load");
     server.fleet().changeTask(1, TaskState.TO_OBJECT, List.of("r1"), "r1 drives.");
     assertThat(page.locator("[aria-current=step]").first()).hasText("Driving");
     assertFits(page, "drive", DESK, PHONE);
     page.navigate(server.root() + "tasks");
-    assertThat(page.locator("tbody tr").first()).containsText("Shelf 3 – Dock A");
+    assertThat(page.locator("tbody tr").first()).containsText("Shelf 3 – A charger of its choice");
     assertThat(page.locator("tbody .state").first()).hasText("Driving");
   }
 
