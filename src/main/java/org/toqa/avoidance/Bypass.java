@@ -148,8 +148,10 @@ public final class Bypass {
    * @param path how it would move on its path, in its own frame
    * @param seen all that was seen of late, map frame
    * @param seconds since the last step, at least 0
+   * @param onward whether the robot may move: else it does not look round either, and stands
    */
-  public Way step(Corridor corridor, Room room, Twist path, List<Vec2> seen, double seconds) {
+  public Way step(
+      Corridor corridor, Room room, Twist path, List<Vec2> seen, double seconds, boolean onward) {
     List<Beside> things = new ArrayList<>();
     List<Vec2> blocking = new ArrayList<>();
     double until = Double.NEGATIVE_INFINITY;
@@ -172,7 +174,11 @@ public final class Bypass {
     angleRate = seconds > 0 ? (next.angle() - angle) / seconds : 0;
     offset = next.offset();
     angle = next.angle();
-    lookRound(!blocking.isEmpty(), seconds);
+    if (onward) {
+      lookRound(!blocking.isEmpty(), seconds);
+    } else {
+      glanceRate = 0;
+    }
     if (aim.offsetAt(0) == 0
         && glance == 0
         && Math.abs(offset) < ON_PATH

@@ -21,6 +21,9 @@ import org.toqa.link.message.AgentMessage.Fault;
 import org.toqa.link.message.AgentMessage.Mode;
 import org.toqa.link.message.AgentMessage.RoomUse;
 import org.toqa.link.message.AgentMessage.State;
+import org.toqa.link.message.ServerMessage.Cancel;
+import org.toqa.link.message.ServerMessage.Hold;
+import org.toqa.link.message.ServerMessage.Resume;
 import org.toqa.link.message.ServerMessage.Room;
 import org.toqa.motion.PassingRoom;
 import org.toqa.motion.Segment;
@@ -30,6 +33,7 @@ class PassingTest {
   private static final int PIECES = 10;
   private static final Segment PIECE = new Segment(0.25, 0, 1.6);
   private static final Duration MINUTE = Duration.ofMinutes(1);
+  private static final Duration STANDS_WITHIN = Duration.ofSeconds(2);
 
   /** The truth of a thing of 0.1 m is never nearer than that, metres. */
   private static final double CLEARANCE = 0.01;
@@ -104,6 +108,28 @@ class PassingTest {
     server.advance(MINUTE.dividedBy(2));
 
     assertTrue(things.nearest() > 0, "came as near as " + things.nearest());
+  }
+
+  /** It looked round for ever, so its drive never ended, and it was given no other. */
+  @Test
+  void whoIsStoppedInItsRoomAndShallNotGoOnStands() {
+    things.put(new Vec2(4, 3), 0.05);
+    server.advanceUntil(s -> s.room() == RoomUse.WANTED, MINUTE);
+    lend(2, 0.4, 0.4);
+    for (int i = -8; i <= 8; i++) {
+      things.put(new Vec2(4, 3 + 0.1 * i), 0.05);
+    }
+    server.advanceUntil(PassingTest::isObstructed, MINUTE);
+
+    server.assertAccepted(new Hold(3));
+    server.advance(STANDS_WITHIN);
+    assertEquals(0, server.state().twist().w(), 0.01);
+    server.assertAccepted(new Resume(4));
+    server.advanceUntil(PassingTest::isObstructed, MINUTE);
+
+    server.assertAccepted(new Cancel(5, 5L));
+    State end = server.advanceUntil(s -> s.mode() == Mode.IDLE, STANDS_WITHIN);
+    assertEquals(0, end.drive());
   }
 
   @Test

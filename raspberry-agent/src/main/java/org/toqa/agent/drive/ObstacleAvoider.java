@@ -146,7 +146,8 @@ public final class ObstacleAvoider {
             trajectory.metresTo(lent.to()),
             lent.left(),
             lent.right());
-    Bypass.Way way = bypass.step(corridor, there, trajectory.twist(), sightings.points(), seconds);
+    Bypass.Way way =
+        bypass.step(corridor, there, trajectory.twist(), sightings.points(), seconds, onward);
     lineAhead = way.line();
     passage = new Passage(way.blocking(), List.of(), way.free() + Passage.STOP_GAP);
     remember();
