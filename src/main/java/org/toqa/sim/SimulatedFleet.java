@@ -132,6 +132,26 @@ public final class SimulatedFleet implements AutoCloseable {
     return daemon(robot).hasPendingMessages();
   }
 
+  /**
+   * Whether so many messages of the server that is connected have come to the robot. For the thread
+   * of the clock, as the next one.
+   *
+   * @throws IllegalArgumentException if there is no such robot
+   */
+  public boolean hasReceivedFromServer(String robot, long messages) {
+    return daemon(robot).hasReceivedFromServer(messages);
+  }
+
+  /**
+   * How many messages the robot has sent the server that is connected, its hello included; 0: there
+   * is none.
+   *
+   * @throws IllegalArgumentException if there is no such robot
+   */
+  public long sentToServer(String robot) {
+    return daemon(robot).sentToServer();
+  }
+
   private Daemon daemon(String robot) {
     return robots.stream()
         .map(SimulatedDaemon::daemon)

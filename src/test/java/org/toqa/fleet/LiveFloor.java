@@ -48,7 +48,8 @@ import org.toqa.store.MemoryDatabase;
 /**
  * A fleet with a real daemon over a simulated body at each parking point of a floor. The test's own
  * thread moves the world, a step at a time, and each step only when what the steps before it
- * brought about has come where it was sent: no machine is too slow, and every picture is looked at.
+ * brought about has come where it was sent: no machine is too slow, every picture is looked at, and
+ * the same test is the same run.
  */
 final class LiveFloor {
   private static final double MAX_LOAD = 5;
@@ -173,8 +174,7 @@ final class LiveFloor {
                 new LinkTls(IdentityFile.open(folder)),
                 gateways.apply(robots),
                 gateway != null, // whose robots are not paired here
-                1),
-            clock);
+                1));
     fleet =
         new AgentFleet(
             FloorsInMemory.of(floor),
@@ -277,19 +277,27 @@ final class LiveFloor {
   }
 
   private void step() throws InterruptedException {
-    long hangs = System.nanoTime() + HANGS_AFTER.toNanos();
-    while (!clock.isReady() || !links.areSettled(robots::hasPendingMessages)) {
-      if (System.nanoTime() > hangs) {
-        fail("The world does not go on: " + links);
-      }
-      LockSupport.parkNanos(LOOK_AGAIN_NANOS);
+    awaitSettled(links::areSettled);
+    if (links.haveArrived()) {
+      runtime.runWhileHeldUp(links::deliver);
     }
+    awaitSettled(there -> links.areSettled(there) && clock.isReady());
     while (System.nanoTime() < due) {
       LockSupport.parkNanos(due - System.nanoTime());
     }
     due = System.nanoTime() + stepNanos;
     clock.advance(VirtualClock.STEP);
     runtime.awaitQuiescence();
+  }
+
+  private void awaitSettled(Predicate<SimulatedFleet> isSettled) {
+    long hangs = System.nanoTime() + HANGS_AFTER.toNanos();
+    while (!isSettled.test(robots)) {
+      if (System.nanoTime() > hangs) {
+        fail("The world does not go on: " + links);
+      }
+      LockSupport.parkNanos(LOOK_AGAIN_NANOS);
+    }
   }
 
   static TaskView task(FleetSnapshot view, long id) {

@@ -1,58 +1,47 @@
 package org.toqa.fleet;
 
-import java.time.InstantSource;
+import java.util.ArrayDeque;
 import java.util.Map;
-import java.util.Set;
-import java.util.TreeSet;
-import java.util.concurrent.ConcurrentHashMap;
-import java.util.function.Predicate;
+import java.util.Queue;
+import java.util.concurrent.ConcurrentSkipListMap;
 import org.toqa.link.PairingResult;
 import org.toqa.link.RobotAddress;
 import org.toqa.link.RobotLink;
 import org.toqa.link.RobotLinkFactory;
 import org.toqa.link.message.AgentMessage;
-import org.toqa.link.message.AgentMessage.Ack;
 import org.toqa.link.message.AgentMessage.Hello;
-import org.toqa.link.message.AgentMessage.Reject;
-import org.toqa.link.message.AgentMessage.State;
 import org.toqa.link.message.ServerMessage;
-import org.toqa.link.message.ServerMessage.Command;
 import org.toqa.link.trust.PairingCode;
+import org.toqa.sim.SimulatedFleet;
 import org.toqa.wording.Sentence;
 
 /**
- * Links that know how far behind the world they are. In a world that waits until they are settled
- * no command and no report is later than a step, however slow the machine.
+ * Links whose messages arrive between the steps of a world. What is on its way is waited for, and
+ * what robots say is told the fleet in the order of their names: so however slow the machine, and
+ * whoever is faster, the same seed gives the same run.
  */
 final class SteppedLinks implements RobotLinkFactory {
-  /** Reports come every 200 ms; a step after that the next one is there. */
-  private static final long OLDEST_REPORT_MILLIS = 220;
-
   private final RobotLinkFactory real;
-  private final InstantSource clock;
-  private final Map<String, Traffic> traffic = new ConcurrentHashMap<>();
+  private final Map<String, Traffic> traffic = new ConcurrentSkipListMap<>();
 
-  /**
-   * @param clock by which the robots stamp their reports
-   */
-  SteppedLinks(RobotLinkFactory real, InstantSource clock) {
+  SteppedLinks(RobotLinkFactory real) {
     this.real = real;
-    this.clock = clock;
   }
 
-  /**
-   * Whether every robot that is connected was heard of late, and has answered all commands, or will
-   * in its next tick.
-   *
-   * @param hasPendingMessages whether something that the robot has received waits for that
-   */
-  boolean areSettled(Predicate<String> hasPendingMessages) {
-    long now = clock.millis();
+  /** Whether nothing is on its way between the fleet and robots that it is connected to. */
+  boolean areSettled(SimulatedFleet robots) {
     return traffic.entrySet().stream()
-        .allMatch(
-            link ->
-                link.getValue().isHeard(now)
-                    && (link.getValue().isAnswered() || hasPendingMessages.test(link.getKey())));
+        .allMatch(link -> link.getValue().isSettled(robots, link.getKey()));
+  }
+
+  /** Whether there is anything that the fleet was not told yet. */
+  boolean haveArrived() {
+    return traffic.values().stream().anyMatch(Traffic::hasArrived);
+  }
+
+  /** Tells the fleet what has come since the last time. */
+  void deliver() {
+    traffic.values().forEach(Traffic::deliver);
   }
 
   @Override
@@ -63,7 +52,7 @@ final class SteppedLinks implements RobotLinkFactory {
     return new RobotLink() {
       @Override
       public void send(ServerMessage message) {
-        link.note(message);
+        link.countSent();
         opened.send(message);
       }
 
@@ -82,82 +71,106 @@ final class SteppedLinks implements RobotLinkFactory {
 
   @Override
   public String toString() {
-    return traffic + " at " + clock.millis();
+    return traffic.toString();
   }
 
-  /** What was sent and not answered, and when the robot was last heard. */
-  private final class Traffic implements RobotLink.Listener {
+  /** What has come over a link and was not told yet, and how much was said. */
+  private static final class Traffic implements RobotLink.Listener {
     private final RobotLink.Listener listener;
-    private final Set<Long> unanswered = new TreeSet<>();
-    private boolean connected;
-    private long heard;
+    private final Queue<Runnable> arrived = new ArrayDeque<>();
+
+    /** Whether it is known how the first attempt to connect went. */
+    private boolean isTried;
+
+    private boolean isConnected;
+
+    /** Whether anything but the hello has come. */
+    private boolean isInUse;
+
+    /** Messages over this connection. */
+    private long sent;
+
+    private long received;
+
+    /** Whether the fleet did not take what the robot said last. */
+    private boolean isTooMuch;
 
     Traffic(RobotLink.Listener listener) {
       this.listener = listener;
     }
 
-    synchronized boolean isHeard(long now) {
-      return !connected || now - heard <= OLDEST_REPORT_MILLIS;
+    synchronized boolean isSettled(SimulatedFleet robots, String robot) {
+      if (!isTried) {
+        return robots.hasPendingMessages(robot); // it says hello in its next tick
+      }
+      if (!isConnected) {
+        return true;
+      }
+      // until then it may have another connection for the server's
+      boolean isKnown = isInUse || (sent > 0 && !robots.hasPendingMessages(robot));
+      return robots.hasReceivedFromServer(robot, sent)
+          && (!isKnown || robots.sentToServer(robot) <= received);
     }
 
-    synchronized boolean isAnswered() {
-      return unanswered.isEmpty();
+    synchronized boolean hasArrived() {
+      return !arrived.isEmpty();
     }
 
-    synchronized void note(ServerMessage message) {
-      if (connected && message instanceof Command command) {
-        unanswered.add(command.seq());
+    synchronized void deliver() {
+      for (Runnable next = arrived.poll(); next != null; next = arrived.poll()) {
+        next.run();
+      }
+    }
+
+    synchronized void countSent() {
+      if (isConnected) {
+        sent++;
       }
     }
 
     @Override
-    public void connected(Hello hello) {
-      synchronized (this) {
-        connected = true;
-        heard = clock.millis();
-      }
-      listener.connected(hello);
+    public synchronized void connected(Hello hello) {
+      isTried = true;
+      isConnected = true;
+      isInUse = false;
+      sent = 0;
+      received = 1;
+      arrived.add(() -> listener.connected(hello));
     }
 
     @Override
-    public void passedOver(int states, int unreadable) {
-      listener.passedOver(states, unreadable);
+    public synchronized void passedOver(int states, int unreadable) {
+      received += states + unreadable;
+      arrived.add(() -> listener.passedOver(states, unreadable));
     }
 
     @Override
-    public boolean received(AgentMessage message) {
-      boolean isTaken = listener.received(message);
-      synchronized (this) {
-        switch (message) {
-          case Ack(long seq) -> unanswered.remove(seq);
-          case Reject(long seq, String _) -> unanswered.remove(seq);
-          case State state -> heard = state.stamp();
-          default -> {}
-        }
-      }
-      return isTaken;
+    public synchronized boolean received(AgentMessage message) {
+      received++;
+      isInUse = true;
+      arrived.add(() -> isTooMuch = !listener.received(message));
+      return !isTooMuch;
     }
 
     @Override
-    public void disconnected(Sentence why) {
-      forget();
-      listener.disconnected(why);
+    public synchronized void disconnected(Sentence why) {
+      end(() -> listener.disconnected(why));
     }
 
     @Override
-    public void refused(Sentence sentence) {
-      forget();
-      listener.refused(sentence);
+    public synchronized void refused(Sentence why) {
+      end(() -> listener.refused(why));
     }
 
-    private synchronized void forget() {
-      connected = false;
-      unanswered.clear();
+    private void end(Runnable telling) {
+      isTried = true;
+      isConnected = false;
+      arrived.add(telling);
     }
 
     @Override
     public synchronized String toString() {
-      return connected ? "heard at " + heard + ", unanswered " + unanswered : "not connected";
+      return isConnected ? "%d sent, %d received".formatted(sent, received) : "not connected";
     }
   }
 }

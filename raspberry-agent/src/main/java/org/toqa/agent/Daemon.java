@@ -208,6 +208,19 @@ public final class Daemon implements AutoCloseable {
     return connections.hasPendingMessages();
   }
 
+  /**
+   * Whether so many messages of the server that is connected have come. A world that waits for that
+   * is the same on every machine. For the thread of the ticks, as the next one.
+   */
+  public boolean hasReceivedFromServer(long messages) {
+    return connections.hasReceivedFromServer(messages);
+  }
+
+  /** How many messages the connected server was sent, its hello included; 0: there is none. */
+  public long sentToServer() {
+    return connections.sentToServer();
+  }
+
   /** Whether it neither drives nor has to do with a formation, and would not miss some ticks. */
   boolean isAtRest() {
     return ticks == SelfTest.TICKS

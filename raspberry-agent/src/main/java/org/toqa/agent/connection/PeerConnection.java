@@ -3,6 +3,7 @@ package org.toqa.agent.connection;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.util.Objects;
+import java.util.concurrent.atomic.AtomicLong;
 import java.util.regex.Pattern;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
@@ -35,6 +36,11 @@ public final class PeerConnection implements AutoCloseable {
   private final Thread reader;
   private volatile @Nullable String endReason;
 
+  /** Counted by the reading thread. */
+  private final AtomicLong received = new AtomicLong();
+
+  private long sent;
+
   /** Takes what is received; may wait. */
   @FunctionalInterface
   public interface Listener {
@@ -59,7 +65,18 @@ public final class PeerConnection implements AutoCloseable {
     return channel.peer();
   }
 
+  /** How many messages have come and were handed on. */
+  long received() {
+    return received.get();
+  }
+
+  /** How many messages it was given to send. */
+  long sent() {
+    return sent;
+  }
+
   public void send(AgentMessage message) {
+    sent++;
     if (!channel.send(LinkCodec.encode(message))) {
       log.warn("{}: the server does not take its lines; the connection is dropped.", robot);
       close();
@@ -93,6 +110,7 @@ public final class PeerConnection implements AutoCloseable {
         }
         listener.handle(
             new ConnectionEvent.LineReceived(this, LinkCodec.decodeServerMessage(line)));
+        received.incrementAndGet();
       }
       endReason = Objects.requireNonNullElse(endReason, "the server closed it");
     } catch (IOException e) {

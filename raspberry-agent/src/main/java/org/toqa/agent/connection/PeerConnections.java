@@ -126,6 +126,17 @@ public final class PeerConnections implements AutoCloseable {
     return !inbox.isEmpty();
   }
 
+  /** Whether so many messages have come over a connection that is, or may be, the server's. */
+  public boolean hasReceivedFromServer(long messages) {
+    return Stream.concat(unidentified.stream(), Stream.ofNullable(server))
+        .anyMatch(connection -> connection.received() >= messages);
+  }
+
+  /** How many messages the connected server was sent, its hello included; 0: there is none. */
+  public long sentToServer() {
+    return server == null ? 0 : server.sent();
+  }
+
   /** Reads from a connection from now on. */
   public void start(LinkSocket link) {
     new PeerConnection(robot, link, this::enqueue).start();
