@@ -62,6 +62,12 @@ public record FleetSnapshot(
         otherAlerts);
   }
 
+  /** The same with other views of its floors. */
+  public FleetSnapshot withFloors(List<FloorView> others) {
+    return new FleetSnapshot(
+        version, at, robots, tasks, queuedCount, others, pause, negotiations, allocators, alerts);
+  }
+
   /** The same with other views of its robots. */
   public FleetSnapshot withRobots(List<RobotView> others) {
     return new FleetSnapshot(

@@ -23,6 +23,7 @@ import org.toqa.wording.Sentence;
  * @param heldLoads where robots hold loads that several carry
  * @param map names the map in force; another one has another name
  * @param zones by which the allocator {@code zones} decides, in their order; empty without robots
+ * @param boxes those that a supervisor knows of, as far as they lie somewhere
  */
 public record FloorView(
     String name,
@@ -36,7 +37,8 @@ public record FloorView(
     List<SeenObstacle> seen,
     List<HeldLoad> heldLoads,
     List<ZoneView> zones,
-    String map) {
+    String map,
+    List<BoxView> boxes) {
 
   public FloorView {
     silentRobotCells = Map.copyOf(silentRobotCells);
@@ -46,6 +48,37 @@ public record FloorView(
     seen = List.copyOf(seen);
     heldLoads = List.copyOf(heldLoads);
     zones = List.copyOf(zones);
+    boxes = List.copyOf(boxes);
+  }
+
+  /** Of a floor where no supervisor knows of a box. */
+  public FloorView(
+      String name,
+      @Nullable Hold hold,
+      CellRuns obstacles,
+      Map<String, CellRuns> silentRobotCells,
+      List<StandstillView> standstills,
+      List<FaultyCharger> faultyChargers,
+      List<LeftLoad> leftLoads,
+      @Nullable ChargerShortage chargerShortage,
+      List<SeenObstacle> seen,
+      List<HeldLoad> heldLoads,
+      List<ZoneView> zones,
+      String map) {
+    this(
+        name,
+        hold,
+        obstacles,
+        silentRobotCells,
+        standstills,
+        faultyChargers,
+        leftLoads,
+        chargerShortage,
+        seen,
+        heldLoads,
+        zones,
+        map,
+        List.of());
   }
 
   public FloorView withZones(List<ZoneView> next) {
@@ -61,8 +94,35 @@ public record FloorView(
         seen,
         heldLoads,
         next,
-        map);
+        map,
+        boxes);
   }
+
+  public FloorView withBoxes(List<BoxView> next) {
+    return new FloorView(
+        name,
+        hold,
+        obstacles,
+        silentRobotCells,
+        standstills,
+        faultyChargers,
+        leftLoads,
+        chargerShortage,
+        seen,
+        heldLoads,
+        zones,
+        map,
+        next);
+  }
+
+  /**
+   * A box that a supervisor knows of.
+   *
+   * @param box the number on it
+   * @param where it lies, metres, map frame
+   * @param delivered whether that is its target
+   */
+  public record BoxView(int box, Vec2 where, boolean delivered) {}
 
   /**
    * An obstacle that robots have seen: cells that touch.

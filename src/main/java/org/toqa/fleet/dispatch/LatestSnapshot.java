@@ -8,6 +8,7 @@ import java.util.Set;
 import java.util.concurrent.locks.Condition;
 import java.util.concurrent.locks.ReentrantLock;
 import org.toqa.fleet.FleetSnapshot;
+import org.toqa.fleet.FloorView.BoxView;
 import org.toqa.fleet.RobotView;
 import org.toqa.fleet.SnapshotFeed;
 import org.toqa.wording.Sentence;
@@ -26,6 +27,9 @@ public final class LatestSnapshot implements SnapshotFeed {
 
   /** The same of robots, by name, where the agents have none; guarded by the lock. */
   private Map<String, Sentence> foundOfRobots = Map.of();
+
+  /** Those that a supervisor knows of; guarded by the lock. */
+  private List<BoxView> boxes = List.of();
 
   private final Runnable onRenewed;
 
@@ -70,11 +74,32 @@ public final class LatestSnapshot implements SnapshotFeed {
     onRenewed.run();
   }
 
+  /** Puts these boxes on the newest snapshot and on all that follow, instead of those before. */
+  public void setBoxes(List<BoxView> next) {
+    lock.lock();
+    try {
+      if (boxes.equals(next)) {
+        return;
+      }
+      boxes = List.copyOf(next);
+      renew();
+    } finally {
+      lock.unlock();
+    }
+    onRenewed.run();
+  }
+
   private void renew() {
     Set<Sentence> alerts = new LinkedHashSet<>(found);
     alerts.addAll(published.alerts());
     FleetSnapshot next = published.with(latest.version() + 1, List.copyOf(alerts));
-    latest = foundOfRobots.isEmpty() ? next : next.withRobots(withAlerts(next.robots()));
+    if (!foundOfRobots.isEmpty()) {
+      next = next.withRobots(withAlerts(next.robots()));
+    }
+    if (!boxes.isEmpty()) {
+      next = next.withFloors(next.floors().stream().map(view -> view.withBoxes(boxes)).toList());
+    }
+    latest = next;
     renewed.signalAll();
   }
 

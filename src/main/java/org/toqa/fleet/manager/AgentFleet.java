@@ -15,6 +15,7 @@ import java.util.concurrent.ExecutionException;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
 import java.util.function.Consumer;
+import java.util.function.Function;
 import java.util.function.Supplier;
 import org.apache.pekko.actor.typed.ActorSystem;
 import org.apache.pekko.actor.typed.javadsl.AskPattern;
@@ -31,6 +32,7 @@ import org.toqa.fleet.FleetSnapshot;
 import org.toqa.fleet.FleetStore;
 import org.toqa.fleet.FloorEditing;
 import org.toqa.fleet.FloorStore;
+import org.toqa.fleet.FloorView.BoxView;
 import org.toqa.fleet.Hold;
 import org.toqa.fleet.ManualAnswer;
 import org.toqa.fleet.ManualOrder;
@@ -581,6 +583,15 @@ public final class AgentFleet implements Fleet, AutoCloseable {
   /** From now on also what this finds is among the alerts of snapshots; the fleet goes on. */
   public void addWarning(Supplier<Optional<Sentence>> check) {
     monitor.addWarning(check);
+  }
+
+  /**
+   * From now on these boxes are on snapshots.
+   *
+   * @param ofFloor those that a supervisor knows of on a floor, by its name; for any thread
+   */
+  public void showBoxes(Function<String, List<BoxView>> ofFloor) {
+    monitor.showBoxes(ofFloor);
   }
 
   /** From now on what this finds of robots, by name, is an alert of theirs; they go on. */

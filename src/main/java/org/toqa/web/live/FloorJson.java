@@ -4,6 +4,7 @@ import java.time.Instant;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
 import org.toqa.fleet.FloorView;
+import org.toqa.fleet.FloorView.BoxView;
 import org.toqa.fleet.FloorView.ChargerShortage;
 import org.toqa.fleet.FloorView.FaultyCharger;
 import org.toqa.fleet.FloorView.HeldLoad;
@@ -31,7 +32,8 @@ record FloorJson(
     List<SeenJson> seen,
     List<HeldLoad> heldLoads,
     List<ZoneView> zones,
-    String map) {
+    String map,
+    List<BoxView> boxes) {
 
   /** An obstacle that robots see or have seen. */
   record SeenJson(
@@ -66,6 +68,7 @@ record FloorJson(
         view.seen().stream().map(SeenJson::of).toList(),
         view.heldLoads(),
         view.zones(),
-        view.map());
+        view.map(),
+        view.boxes());
   }
 }
