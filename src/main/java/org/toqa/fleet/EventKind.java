@@ -101,6 +101,8 @@ public enum EventKind {
   SUPERVISION_BEGAN("supervision.began"),
   SUPERVISION_DONE("supervision.done"),
   SUPERVISION_STOPPED("supervision.stopped"),
+  SUPERVISION_LOOKS_AGAIN("supervision.looks-again"),
+  SUPERVISION_BOX_LEFT_OUT("supervision.box-left-out"),
   SITE_ADDED("site.added"),
   SITE_REMOVED("site.removed"),
   USER_ADDED("user.added"),

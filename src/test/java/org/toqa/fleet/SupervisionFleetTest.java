@@ -20,9 +20,11 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
+import org.toqa.fleet.FloorView.BoxView;
 import org.toqa.fleet.supervision.SupervisedBox;
 import org.toqa.fleet.supervision.Supervision;
 import org.toqa.fleet.supervision.SupervisionOrder;
+import org.toqa.fleet.supervision.SupervisionReport;
 import org.toqa.fleet.supervision.Supervisor;
 import org.toqa.geometry.Vec2;
 import org.toqa.grid.FloorMap;
@@ -34,6 +36,7 @@ import org.toqa.sim.SimulatedBoxes.Placed;
 import org.toqa.sim.SimulatedFloor;
 import org.toqa.sim.SimulatedStore;
 import org.toqa.store.JdbiSupervisionStore;
+import org.toqa.wording.Sentence;
 
 /** A supervisor and two workers, real daemons over simulated bodies in a world with boxes. */
 @Timeout(200)
@@ -184,6 +187,7 @@ class SupervisionFleetTest {
     assertEquals(Set.of("r1", "r2"), Set.copyOf(heavy.getFirst().robots()));
     assertEquals(TaskState.CANCELLED, heavy.getLast().state());
     assertTrue(done.idleSecondsPerBox().orElseThrow() > 0);
+    asksAPersonWhereABoxIs();
     cancelsWhatNobodyHasWhenItIsStopped();
   }
 
@@ -208,6 +212,35 @@ class SupervisionFleetTest {
     awaitCamera(true);
     supervisor.look();
     assertTrue(supervisor.warning("rooms").isEmpty());
+  }
+
+  /** Box 9 is nowhere: it is looked for again, and left out when somebody says so. */
+  private void asksAPersonWhereABoxIs() throws Exception {
+    Map<Integer, Vec2> targets = Map.of(1, new Vec2(1.25, 2.25), 9, new Vec2(2.75, 4.25));
+    assertInstanceOf(Answer.Accepted.class, start("r2", targets));
+    await(_ -> said(supervisor.warning("rooms")).startsWith("Box 9 was found nowhere"));
+    assertTrue(supervisor.report("rooms").orElseThrow().hasSeenAll());
+
+    assertInstanceOf(
+        Answer.Accepted.class, supervisor.lookAgain("rooms", "Max").toCompletableFuture().get());
+    supervisor.look();
+    assertTrue(
+        said(supervisor.report("rooms").map(SupervisionReport::doing))
+            .startsWith("r3 looks for boxes"));
+    await(_ -> said(supervisor.warning("rooms")).startsWith("Box 9 was found nowhere"));
+    await(_ -> box(1).delivered());
+    assertEquals(List.of(new BoxView(1, new Vec2(1.25, 2.25), true)), supervisor.boxes("rooms"));
+    assertInstanceOf(
+        Answer.Conflict.class, supervisor.leaveOut("rooms", 1, "Max").toCompletableFuture().get());
+    assertInstanceOf(
+        Answer.Unknown.class, supervisor.leaveOut("rooms", 7, "Max").toCompletableFuture().get());
+    assertInstanceOf(
+        Answer.Accepted.class, supervisor.leaveOut("rooms", 9, "Max").toCompletableFuture().get());
+    assertEquals(Supervision.State.DONE, await(s -> !s.isRunning()).state());
+  }
+
+  private static String said(Optional<Sentence> sentence) {
+    return sentence.map(Sentence::english).orElse("");
   }
 
   /** The box is carried elsewhere; it is in view from where the supervisor waits. */

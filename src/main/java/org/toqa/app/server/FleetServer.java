@@ -240,6 +240,7 @@ public final class FleetServer implements AutoCloseable {
     supervisor.begin();
     parts.push(supervisor);
     fleet.addWarning(supervisor::warning);
+    fleet.showBoxes(supervisor::boxes);
     JdbiTrackStore tracks = new JdbiTrackStore(database.jdbi());
     parts.push(new TrackRecorder(fleet.snapshots(), tracks));
     parts.push(new SceneRecorder(fleet.snapshots(), new JdbiSceneStore(database.jdbi())));

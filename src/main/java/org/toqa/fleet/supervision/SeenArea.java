@@ -77,6 +77,12 @@ final class SeenArea {
     return unseen().isEmpty();
   }
 
+  /** How much of what can be seen was, 0 to 1. */
+  double share() {
+    int all = walls.width() * walls.height() - walls.occupied().cardinality();
+    return all == 0 ? 1 : (double) seen.cardinality() / all;
+  }
+
   private BitSet unseen() {
     BitSet unseen = new BitSet();
     unseen.set(0, walls.width() * walls.height());

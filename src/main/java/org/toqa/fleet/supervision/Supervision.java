@@ -74,6 +74,12 @@ public record Supervision(
     return withBoxes(changed.values());
   }
 
+  Supervision without(int number) {
+    Map<Integer, SupervisedBox> left = new TreeMap<>(boxes);
+    left.remove(number);
+    return withBoxes(left.values());
+  }
+
   Supervision withBoxes(Collection<SupervisedBox> changed) {
     Map<Integer, SupervisedBox> byNumber = new TreeMap<>();
     changed.forEach(box -> byNumber.put(box.number(), box));

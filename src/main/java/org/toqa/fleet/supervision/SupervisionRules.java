@@ -8,6 +8,7 @@ import java.util.function.LongFunction;
 import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 import org.toqa.fleet.FleetSnapshot;
+import org.toqa.fleet.FloorView.BoxView;
 import org.toqa.fleet.RobotState;
 import org.toqa.fleet.RobotView;
 import org.toqa.fleet.TaskView;
@@ -113,6 +114,26 @@ final class SupervisionRules {
 
   static Optional<RobotView> robot(FleetSnapshot snapshot, String name) {
     return snapshot.robots().stream().filter(robot -> robot.name().equals(name)).findFirst();
+  }
+
+  /** Boxes that lie somewhere: those that were found, and that no robot has in its hand. */
+  static List<BoxView> lying(Supervision supervision, FleetSnapshot snapshot) {
+    return supervision.boxes().values().stream()
+        .filter(box -> box.place() != null || box.delivered())
+        .filter(box -> box.delivered() || !isInHand(box, snapshot))
+        .map(
+            box ->
+                new BoxView(
+                    box.number(),
+                    box.delivered() || box.place() == null ? box.target() : box.place(),
+                    box.delivered()))
+        .toList();
+  }
+
+  private static boolean isInHand(SupervisedBox box, FleetSnapshot snapshot) {
+    Long task = box.task();
+    return task != null
+        && task(snapshot, task).filter(view -> view.state() == TaskState.CARRYING).isPresent();
   }
 
   private static Optional<TaskView> task(FleetSnapshot snapshot, long id) {

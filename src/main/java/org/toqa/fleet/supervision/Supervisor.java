@@ -9,6 +9,7 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.TreeMap;
 import java.util.UUID;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionStage;
@@ -19,6 +20,7 @@ import java.util.concurrent.ScheduledExecutorService;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
 import java.util.function.Supplier;
+import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -28,6 +30,7 @@ import org.toqa.fleet.EventKind;
 import org.toqa.fleet.EventRecord;
 import org.toqa.fleet.Fleet;
 import org.toqa.fleet.FleetSnapshot;
+import org.toqa.fleet.FloorView.BoxView;
 import org.toqa.fleet.RobotState;
 import org.toqa.fleet.RobotView;
 import org.toqa.fleet.TaskArchive;
@@ -95,8 +98,8 @@ public final class Supervisor implements AutoCloseable {
   /** By floor; for any reader. */
   private final Map<String, Supervision> latest = new ConcurrentHashMap<>();
 
-  /** By floor, what a person must look at; for any reader. */
-  private final Map<String, Sentence> needs = new ConcurrentHashMap<>();
+  /** By floor, of those that run; for any reader. */
+  private final Map<String, SupervisionReport> reports = new ConcurrentHashMap<>();
 
   /** By floor, of those that run. */
   private final Map<String, Watch> watches = new HashMap<>();
@@ -116,6 +119,13 @@ public final class Supervisor implements AutoCloseable {
       this.floor = floor;
       this.seen = new SeenArea(floor, clearance, seen);
       this.places = new HandlingPlaces(floor, clearance);
+    }
+
+    /** By box, why it was refused. */
+    Map<Integer, Sentence> reasons() {
+      Map<Integer, Sentence> reasons = new TreeMap<>();
+      refusals.forEach((box, refusal) -> reasons.put(box, refusal.why()));
+      return reasons;
     }
   }
 
@@ -156,12 +166,29 @@ public final class Supervisor implements AutoCloseable {
 
   /** What a person must look at; empty: nothing. */
   public Optional<Sentence> warning() {
-    return needs.values().stream().findFirst();
+    return reports.values().stream()
+        .flatMap(report -> Stream.ofNullable(report.need()))
+        .findFirst();
   }
 
   /** The same of one floor. */
   public Optional<Sentence> warning(String floor) {
-    return Optional.ofNullable(needs.get(floor));
+    return report(floor).map(SupervisionReport::need);
+  }
+
+  /** How the one that runs on a floor gets on; empty: none runs, or it was not looked at yet. */
+  public Optional<SupervisionReport> report(String floor) {
+    return Optional.ofNullable(reports.get(floor));
+  }
+
+  /**
+   * Where the boxes of the one that runs on a floor lie; not those that nobody found or carries.
+   */
+  public List<BoxView> boxes(String floor) {
+    return latest(floor)
+        .filter(Supervision::isRunning)
+        .map(running -> SupervisionRules.lying(running, fleet.snapshots().latest()))
+        .orElse(List.of());
   }
 
   /** Lets a supervisor and its workers begin, where none is at work on the floor. */
@@ -241,7 +268,78 @@ public final class Supervisor implements AutoCloseable {
 
   private void end(String floor) {
     watches.remove(floor);
-    needs.remove(floor);
+    reports.remove(floor);
+  }
+
+  /**
+   * Boxes that were not found are looked for everywhere once more, and refused ones tried again.
+   */
+  public CompletionStage<Answer<Supervision>> lookAgain(String floor, String user) {
+    return onThread(
+        () -> {
+          Supervision before = latest.get(floor);
+          if (before == null || !before.isRunning()) {
+            return new Answer.Conflict<>(Phrase.SUPERVISION_RUNS_NOT.with(floor), null);
+          }
+          Supervision anew = before.withSeen("");
+          save(
+              anew,
+              event(
+                  anew,
+                  EventKind.SUPERVISION_LOOKS_AGAIN,
+                  user,
+                  Phrase.SUPERVISION_LOOKS_AGAIN.with(user, floor)));
+          end(floor);
+          return new Answer.Accepted<>(anew);
+        });
+  }
+
+  /**
+   * Forgets a box, as a person who has taken it away says. A task of it that no robot has is
+   * cancelled first.
+   */
+  public CompletionStage<Answer<Supervision>> leaveOut(String floor, int number, String user) {
+    return onThread(
+        () -> {
+          Supervision before = latest.get(floor);
+          if (before == null || !before.isRunning()) {
+            return new Answer.Conflict<>(Phrase.SUPERVISION_RUNS_NOT.with(floor), null);
+          }
+          SupervisedBox box = before.boxes().get(number);
+          if (box == null) {
+            return new Answer.Unknown<>(Phrase.SUPERVISION_NO_BOX.with(number, floor));
+          }
+          if (box.delivered()) {
+            return new Answer.Conflict<>(Phrase.SUPERVISION_BOX_DELIVERED.with(number), null);
+          }
+          if (before.boxes().size() == 1) {
+            return new Answer.Conflict<>(Phrase.SUPERVISION_LAST_BOX.with(number), null);
+          }
+          Long task = box.task();
+          Optional<TaskView> open =
+              task == null
+                  ? Optional.empty()
+                  : archive.task(task).filter(t -> !t.state().isEnded());
+          if (open.isPresent()
+              && !(open.get().state() == TaskState.QUEUED
+                  && isDone(open.get().id(), new MissionEvent.Cancel(user, null)))) {
+            return new Answer.Conflict<>(
+                Phrase.SUPERVISION_BOX_IN_WORK.with(number, open.get().id()), null);
+          }
+          Supervision without = before.without(number);
+          save(
+              without,
+              event(
+                  without,
+                  EventKind.SUPERVISION_BOX_LEFT_OUT,
+                  user,
+                  Phrase.SUPERVISION_BOX_LEFT_OUT.with(user, number, floor)));
+          return new Answer.Accepted<>(without);
+        });
+  }
+
+  private boolean isDone(long task, MissionEvent.OperatorCommand command) {
+    return await(fleet.commandTask(task, command)) instanceof Answer.Accepted<TaskView>;
   }
 
   private <T> CompletionStage<T> onThread(Supplier<T> work) {
@@ -272,8 +370,8 @@ public final class Supervisor implements AutoCloseable {
         fleet.floors().stream().filter(f -> f.name().equals(before.floor())).findFirst();
     Optional<RobotView> supervisor = SupervisionRules.robot(snapshot, before.supervisor());
     if (floor.isEmpty() || supervisor.isEmpty()) {
-      needs.put(
-          before.floor(), Phrase.SUPERVISION_NO_ROBOT.with(before.supervisor(), before.floor()));
+      Sentence gone = Phrase.SUPERVISION_NO_ROBOT.with(before.supervisor(), before.floor());
+      reports.put(before.floor(), new SupervisionReport(gone, gone, Map.of(), false));
       return;
     }
     Watch watch = watch(before, floor.get(), supervisor.get());
@@ -312,7 +410,9 @@ public final class Supervisor implements AutoCloseable {
     if (camera.isPresent() && pose != null) {
       search(now, watch, supervisor.get(), pose.position(), camera.get().range(), snapshot);
     }
-    tellNeeds(now, watch, supervisor.get(), camera.isPresent());
+    reports.put(
+        now.floor(),
+        SupervisionReport.of(now, supervisor.get(), snapshot, watch.seen, watch.reasons()));
   }
 
   private Watch watch(Supervision running, FloorMap floor, RobotView supervisor) {
@@ -551,31 +651,6 @@ public final class Supervisor implements AutoCloseable {
       }
     } else if (robot.state() == RobotState.IDLE) {
       await(fleet.sendTo(robot.name(), view));
-    }
-  }
-
-  private void tellNeeds(Supervision now, Watch watch, RobotView supervisor, boolean isSeeing) {
-    Optional<Sentence> refused =
-        watch.refusals.entrySet().stream()
-            .findFirst()
-            .map(
-                box ->
-                    Phrase.SUPERVISION_BOX_REFUSED.with(
-                        box.getKey(), now.floor(), box.getValue().why()));
-    Optional<Sentence> unseen =
-        now.boxes().values().stream()
-            .filter(box -> box.place() == null && box.task() == null && !box.delivered())
-            .filter(_ -> watch.seen.isComplete())
-            .findFirst()
-            .map(box -> Phrase.SUPERVISION_BOX_NOT_FOUND.with(box.number(), now.floor()));
-    Optional<Sentence> need =
-        supervisor.state().isFit() && !isSeeing
-            ? Optional.of(Phrase.SUPERVISION_BLIND.with(now.supervisor(), now.floor()))
-            : refused.or(() -> unseen);
-    if (need.isPresent()) {
-      needs.put(now.floor(), need.get());
-    } else {
-      needs.remove(now.floor());
     }
   }
 
