@@ -38,6 +38,7 @@
           <td class="whole">
             <div class="choices">
               <a href="<c:out value="${mapUrl}"/>"><fmt:message key="floors.map"/></a>
+              <a href="<c:out value="${root}/floors/${entry.segment()}/supervision"/>"><fmt:message key="supervision.link"/></a>
               <c:if test="${caller.mayManage()}"><a href="<c:out value="${root}/floors/${entry.segment()}/edit"/>"><fmt:message key="floors.edit"/></a></c:if>
               <details class="or">
                 <summary><fmt:message key="floors.export"/></summary>

@@ -110,6 +110,10 @@
         <c:forEach items="${cameras}" var="camera"><t:camera camera="${camera}"/></c:forEach>
       </section>
       <section id="floors" data-live="floors">
+        <c:forEach items="${supervised}" var="name">
+          <c:url value="/floors/${RequestPath.segment(name)}/supervision" var="supervisionUrl"/>
+          <p data-floor="<c:out value="${name}"/>"><a role="button" class="outline wide" href="<c:out value="${supervisionUrl}"/>"><fmt:message key="supervision.link"/></a></p>
+        </c:forEach>
         <c:forEach items="${floorViews}" var="view">
           <c:if test="${not empty view.hold or caller.mayOperate()}">
             <div data-floor="<c:out value="${view.name}"/>">
@@ -149,7 +153,7 @@
       <summary><fmt:message key="map.legend"/></summary>
       <ul class="legend">
         <c:forEach items="${robotStates}" var="state"><li><span class="letter" data-state="${state}"><fmt:message key="robot.letter.${state}"/></span> <fmt:message key="robot.state.${state}"/></li></c:forEach>
-        <c:forTokens items="station,parking,charging,load,goal,released,planned,obstacle,reserved,standstill,hold,zone,margins" delims="," var="sign"><li><t:icon name="legend-${sign}"/> <fmt:message key="map.legend.${sign}"/></li></c:forTokens>
+        <c:forTokens items="station,parking,charging,load,box,goal,released,planned,obstacle,reserved,standstill,hold,zone,margins" delims="," var="sign"><li><t:icon name="legend-${sign}"/> <fmt:message key="map.legend.${sign}"/></li></c:forTokens>
       </ul>
     </details>
   </aside>

@@ -15,7 +15,7 @@ import {drawAges, drawBlockedCells, drawStandstills} from './hazards.js';
 import {updateLiveLists} from './live-lists.js';
 import {Measuring} from './measuring.js';
 import {PoseInterpolator} from './pose-interpolator.js';
-import {drawLeftLoads, drawRobots, drawTasks, replayedRobot} from './robots.js';
+import {drawBoxes, drawLeftLoads, drawRobots, drawTasks, replayedRobot} from './robots.js';
 import {StateFilter} from './state-filter.js';
 import {Switch} from './switch.js';
 import {drawZones} from './zones.js';
@@ -167,6 +167,7 @@ class MapPage {
     }
     const tasks = this.#state.tasksOn(this.#floor.name);
     drawTasks(context, viewport, colours, tasks);
+    drawBoxes(context, viewport, colours, view?.boxes ?? []);
     const robots = this.#robotsHere.map((robot) => ({...robot, faint: !this.#filter.includes(robot)}));
     drawRobots(context, viewport, colours, robots, tasks, poseOf, view?.heldLoads);
     if (view) {

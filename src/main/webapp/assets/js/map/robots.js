@@ -31,6 +31,18 @@ export function drawLeftLoads(context, viewport, colours, loads) {
   }
 }
 
+/** Draws boxes that a supervisor has found, with the numbers on them; those at their targets are faint. */
+export function drawBoxes(context, viewport, colours, boxes) {
+  for (const {box, where, delivered} of boxes) {
+    const at = viewport.toScreen(where.x, where.y);
+    const half = loadHalf(viewport, {});
+    context.globalAlpha = delivered ? 0.55 : 1;
+    drawLoad(context, at, 0, half, colours);
+    context.globalAlpha = 1;
+    drawLabel(context, colours, String(box), at[0], at[1], 'middle');
+  }
+}
+
 /**
  * A robot as a replay shows it: of its state only whether it was moving is known, of its path not
  * how much of it was released, and of its arm nothing.

@@ -9,6 +9,9 @@ const READINGS_INTERVAL = 5_000;
 /** The same for devices of the network. */
 const NETWORK_INTERVAL = 5_000;
 
+/** The same for how a supervisor gets on. */
+const SUPERVISION_INTERVAL = 5_000;
+
 /** What each kind of region shows of a snapshot: when that changes, the region is fetched anew. */
 const SUBJECTS = {
   tasks: ({tasks, queued}) => [queued, ...tasks.map((task) => [task.id, task.state, task.robots, task.held])],
@@ -45,6 +48,12 @@ const SUBJECTS = {
   loads: ({tasks, floors}) => [
     ...tasks.map(({id, state, loadAt, robots}) => [id, state, loadAt, robots]),
     ...floors.map(({leftLoads}) => leftLoads),
+  ],
+  supervision: ({robots, tasks, floors}, name) => [
+    floors.find(({floor}) => floor === name)?.boxes,
+    tasks.filter(({floor}) => floor === name).map((task) => [task.id, task.state, task.robots, task.needs, task.waitingFor]),
+    robots.filter(({floor}) => floor === name).map(({state, doing, battery}) => [state, doing, Math.round(100 * battery)]),
+    Math.floor(Date.now() / SUPERVISION_INTERVAL), // idle seconds and what was seen are in no snapshot
   ],
   network: () => Math.floor(Date.now() / NETWORK_INTERVAL),
   pause: ({pause}) => pause,

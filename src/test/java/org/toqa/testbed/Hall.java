@@ -5,6 +5,9 @@ import java.util.BitSet;
 import java.util.List;
 import java.util.Map;
 import org.jspecify.annotations.Nullable;
+import org.toqa.arm.Arm;
+import org.toqa.arm.JointAngles;
+import org.toqa.arm.JointLimits;
 import org.toqa.fleet.FloorView;
 import org.toqa.fleet.FloorView.ChargerShortage;
 import org.toqa.fleet.FloorView.FaultyCharger;
@@ -22,7 +25,11 @@ import org.toqa.grid.CellRuns;
 import org.toqa.grid.FloorMap;
 import org.toqa.grid.OccupancyGrid;
 import org.toqa.grid.Place;
+import org.toqa.link.message.AgentMessage.CameraView;
+import org.toqa.link.message.AgentMessage.SeenBox;
 import org.toqa.mission.Phase;
+import org.toqa.motion.DriveKind;
+import org.toqa.motion.DriveSpeeds;
 import org.toqa.traffic.floor.RemainingPath;
 import org.toqa.wording.Phrase;
 import org.toqa.wording.Sentence;
@@ -48,6 +55,23 @@ public final class Hall {
         RemainingPath.NONE,
         null,
         null);
+  }
+
+  /** One with cameras that see all round, and these boxes. */
+  public static RobotView seeing(RobotView robot, SeenBox... boxes) {
+    Telemetry heard = robot.telemetry();
+    Readings readings =
+        new Readings(null, null, List.of(), null, null, null, new CameraView(4, List.of(boxes)));
+    return robot.withTelemetry(
+        new Telemetry(heard.pose(), heard.battery(), readings, List.of(), START));
+  }
+
+  /** One with an arm of 0.55 m that lifts 5 kg. */
+  public static RobotView withArm(RobotView robot) {
+    JointLimits joint = new JointLimits(-2.8, 2.8, 1.5, 3);
+    Arm arm = new Arm(0.3, 0.25, new Pose(0.05, 0, 0), joint, joint, 5, new JointAngles(2, -2.6));
+    return robot.withCapabilities(
+        new RobotCapabilities(0.3, DriveSpeeds.DEFAULT, 5, 0.8, DriveKind.OMNI, 0, arm));
   }
 
   /** A robot that parks at P1; one elsewhere than here is a real one. */

@@ -125,6 +125,7 @@ public final class WebTestServer implements AutoCloseable {
   private final AccountStore accounts;
   private final Telemetry telemetry;
   private final Notices notices;
+  private final Supervisor supervisor;
   private final JdbiFleetStore store;
   private final JdbiTrackStore tracks;
   private final JdbiSceneStore scenes;
@@ -284,6 +285,13 @@ public final class WebTestServer implements AutoCloseable {
             webhookAddresses,
             new WebhookPoster(SITE.name(), webhookAddresses, InstantSource.system()),
             InstantSource.system());
+    supervisor =
+        new Supervisor(
+            new JdbiSupervisionStore(jdbi),
+            fleet,
+            fleet,
+            InstantSource.system(),
+            InstantSource.system());
     Services services =
         new Services(
             SITE,
@@ -295,12 +303,7 @@ public final class WebTestServer implements AutoCloseable {
             tracks,
             scenes,
             schedules,
-            new Supervisor(
-                new JdbiSupervisionStore(jdbi),
-                fleet,
-                fleet,
-                InstantSource.system(),
-                InstantSource.system()),
+            supervisor,
             new JdbiStatisticsArchive(jdbi),
             seenPlaces,
             telemetry,
@@ -417,6 +420,11 @@ public final class WebTestServer implements AutoCloseable {
 
   JdbiUtilisationStore uses() {
     return uses;
+  }
+
+  /** It looks when it is told to. */
+  public Supervisor supervisor() {
+    return supervisor;
   }
 
   public TestFleet fleet() {

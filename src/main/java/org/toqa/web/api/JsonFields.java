@@ -9,8 +9,10 @@ import java.time.OffsetDateTime;
 import java.util.ArrayList;
 import java.util.LinkedHashSet;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.TreeMap;
 import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 import org.toqa.fleet.TaskOrder.StopOrder;
@@ -111,8 +113,8 @@ final class JsonFields implements Fields {
         .orElse(null);
   }
 
-  /** False where it is missing. */
-  boolean flag(String name) {
+  @Override
+  public boolean flag(String name) {
     return value(name)
         .flatMap(
             value ->
@@ -333,6 +335,17 @@ final class JsonFields implements Fields {
               return read;
             })
         .orElse(null);
+  }
+
+  @Override
+  public Map<Integer, Vec2> boxTargets(String name, int max) {
+    Map<Integer, Vec2> targets = new TreeMap<>();
+    for (JsonFields box : objects(name, max)) {
+      int number = rules().boxNumber(box.path("box"), box.number("box"), targets.keySet());
+      targets.put(number, box.point("target"));
+      box.refuseUnknown();
+    }
+    return targets;
   }
 
   /** An object with coordinates. */

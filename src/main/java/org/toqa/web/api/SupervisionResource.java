@@ -5,18 +5,20 @@ import jakarta.servlet.http.HttpServletResponse;
 import java.io.IOException;
 import java.time.Instant;
 import java.util.List;
-import java.util.Map;
-import java.util.TreeMap;
+import java.util.concurrent.CompletionStage;
 import org.jspecify.annotations.Nullable;
+import org.toqa.fleet.Answer;
 import org.toqa.fleet.supervision.SupervisedBox;
 import org.toqa.fleet.supervision.Supervision;
 import org.toqa.fleet.supervision.SupervisionOrder;
+import org.toqa.fleet.supervision.SupervisionReport;
 import org.toqa.fleet.supervision.Supervisor;
 import org.toqa.geometry.Vec2;
 import org.toqa.web.FleetAnswers;
-import org.toqa.web.RequestPath;
+import org.toqa.web.SupervisionView;
 import org.toqa.web.Texts;
 import org.toqa.web.access.Caller;
+import org.toqa.web.input.SupervisionOrderReader;
 import org.toqa.wording.Sentence;
 
 /** The supervisor of a floor and the boxes that its workers carry. */
@@ -24,7 +26,9 @@ public final class SupervisionResource extends ApiHandler {
 
   /**
    * @param idleSecondsPerBox null: none was delivered yet
+   * @param doing what the supervisor does, or why it does nothing; null: it does not run
    * @param needs what a person must look at, in a sentence; null: nothing
+   * @param seenAll whether everything that can be seen of the floor was, while it runs
    */
   private record SupervisionJson(
       String floor,
@@ -36,10 +40,14 @@ public final class SupervisionResource extends ApiHandler {
       Instant begunAt,
       @Nullable Instant endedAt,
       @Nullable Double idleSecondsPerBox,
-      @Nullable String needs,
+      @Nullable Sentence doing,
+      @Nullable Sentence needs,
+      boolean seenAll,
       List<BoxJson> boxes) {
 
-    static SupervisionJson of(Supervision supervision, @Nullable String needs) {
+    static SupervisionJson of(SupervisionView view) {
+      Supervision supervision = view.supervision();
+      SupervisionReport report = view.report();
       return new SupervisionJson(
           supervision.floor(),
           supervision.supervisor(),
@@ -50,8 +58,10 @@ public final class SupervisionResource extends ApiHandler {
           supervision.begunAt(),
           supervision.endedAt(),
           supervision.idleSecondsPerBox().map(s -> Math.round(10 * s) / 10.0).orElse(null),
-          needs,
-          supervision.boxes().values().stream().map(BoxJson::of).toList());
+          report == null ? null : report.doing(),
+          report == null ? null : report.need(),
+          report != null && report.hasSeenAll(),
+          view.boxes().stream().map(BoxJson::of).toList());
     }
   }
 
@@ -59,6 +69,9 @@ public final class SupervisionResource extends ApiHandler {
    * @param place where it was seen last, metres, map frame; null: not yet
    * @param weight kilograms; null: it was not weighed yet
    * @param task null: none carries it
+   * @param robots those that are about it
+   * @param reason why it waits; null: it does not
+   * @param question what a person must answer at its task; null: nothing
    */
   private record BoxJson(
       int box,
@@ -66,10 +79,24 @@ public final class SupervisionResource extends ApiHandler {
       @Nullable Vec2 place,
       @Nullable Double weight,
       @Nullable Long task,
-      boolean delivered) {
-    static BoxJson of(SupervisedBox box) {
+      boolean delivered,
+      SupervisionView.BoxState state,
+      List<String> robots,
+      @Nullable Sentence reason,
+      @Nullable Sentence question) {
+    static BoxJson of(SupervisionView.Box view) {
+      SupervisedBox box = view.box();
       return new BoxJson(
-          box.number(), box.target(), box.place(), box.weight(), box.task(), box.delivered());
+          box.number(),
+          box.target(),
+          box.place(),
+          box.weight(),
+          box.task(),
+          box.delivered(),
+          view.state(),
+          view.robots(),
+          view.reason(),
+          view.question());
     }
   }
 
@@ -90,7 +117,8 @@ public final class SupervisionResource extends ApiHandler {
   public static void start(HttpServletRequest request, HttpServletResponse response)
       throws IOException {
     String floor = FloorFilesResource.floorOfPath(request).name();
-    SupervisionOrder order = readLargeBody(request, fields -> read(fields, floor));
+    SupervisionOrder order =
+        readLargeBody(request, fields -> SupervisionOrderReader.read(fields, floor));
     Supervision begun =
         acceptedValue(
             request,
@@ -101,55 +129,43 @@ public final class SupervisionResource extends ApiHandler {
 
   public static void stop(HttpServletRequest request, HttpServletResponse response)
       throws IOException {
-    FloorFilesResource.floorOfPath(request);
-    Supervision stopped =
+    change(request, response, Supervisor::stop);
+  }
+
+  public static void lookAgain(HttpServletRequest request, HttpServletResponse response)
+      throws IOException {
+    change(request, response, Supervisor::lookAgain);
+  }
+
+  public static void leaveOut(HttpServletRequest request, HttpServletResponse response)
+      throws IOException {
+    int box = SupervisionView.boxOfPath(request);
+    change(request, response, (supervisor, floor, user) -> supervisor.leaveOut(floor, box, user));
+  }
+
+  @FunctionalInterface
+  private interface Change {
+    CompletionStage<Answer<Supervision>> send(Supervisor supervisor, String floor, String user);
+  }
+
+  private static void change(
+      HttpServletRequest request, HttpServletResponse response, Change change) throws IOException {
+    String floor = FloorFilesResource.floorOfPath(request).name();
+    Supervision changed =
         acceptedValue(
             request,
             FleetAnswers.await(
-                services(request)
-                    .supervisor()
-                    .stop(RequestPath.parameter(request, "floor"), Caller.of(request).name())));
-    send(request, response, 200, stopped);
-  }
-
-  private static SupervisionOrder read(JsonFields fields, String floor) {
-    Texts texts = fields.texts();
-    String supervisor =
-        fields.rules().robotName(fields.path("supervisor"), fields.text("supervisor"));
-    List<String> workers =
-        fields.rules().robotNames(fields.path("workers"), fields.choices("workers"));
-    if (workers.isEmpty()) {
-      fields.errors().add(fields.path("workers"), texts.get("error.supervision.workers"));
-    }
-    boolean sequential = fields.flag("sequential");
-    Map<Integer, Vec2> targets = new TreeMap<>();
-    for (JsonFields box : fields.objects("boxes", SupervisionOrder.MAX_BOXES)) {
-      Double number = box.number("box");
-      Vec2 target = box.point("target");
-      box.refuseUnknown();
-      if (number == null
-          || number != Math.rint(number)
-          || !(number >= 1 && number <= Integer.MAX_VALUE)
-          || targets.put(number.intValue(), target) != null) {
-        fields.errors().add(box.path("box"), texts.get("error.supervision.box"));
-      }
-    }
-    if (targets.isEmpty()) {
-      fields.errors().add(fields.path("boxes"), texts.get("error.supervision.boxes"));
-    }
-    fields.refuseUnknown();
-    return new SupervisionOrder(floor, supervisor, workers, !sequential, targets);
+                change.send(services(request).supervisor(), floor, Caller.of(request).name())));
+    send(request, response, 200, changed);
   }
 
   private static void send(
       HttpServletRequest request, HttpServletResponse response, int status, Supervision supervision)
       throws IOException {
-    Supervisor supervisor = services(request).supervisor();
-    String needs =
-        supervisor
-            .warning(supervision.floor())
-            .map((Sentence need) -> Texts.of(request).text(need))
-            .orElse(null);
-    Json.send(request, response, status, SupervisionJson.of(supervision, needs));
+    Json.send(
+        request,
+        response,
+        status,
+        SupervisionJson.of(SupervisionView.of(services(request), supervision)));
   }
 }

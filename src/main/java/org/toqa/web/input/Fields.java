@@ -2,9 +2,11 @@ package org.toqa.web.input;
 
 import java.time.Instant;
 import java.util.List;
+import java.util.Map;
 import org.jspecify.annotations.Nullable;
 import org.toqa.fleet.TaskOrder.StopOrder;
 import org.toqa.fleet.TaskOrder.Where;
+import org.toqa.geometry.Vec2;
 import org.toqa.mission.ArmHandling;
 import org.toqa.mission.TransportTask.LoadSize;
 import org.toqa.web.Texts;
@@ -65,6 +67,21 @@ public interface Fields {
   /** Both places, or null where neither is given. */
   default @Nullable ArmHandling arm(String name) {
     return null;
+  }
+
+  /** Whether it was said; false where it is missing. */
+  default boolean flag(String name) {
+    return "true".equals(text(name));
+  }
+
+  /**
+   * Where boxes shall lie, metres, map frame, by the numbers on them; empty where nobody wrote any,
+   * or this kind of input has none.
+   *
+   * @param max a longer list gets a sentence
+   */
+  default Map<Integer, Vec2> boxTargets(String name, int max) {
+    return Map.of();
   }
 
   Texts texts();

@@ -305,6 +305,22 @@ public final class InputRules {
     return given;
   }
 
+  /**
+   * The number on a box.
+   *
+   * @param others those that other boxes have
+   */
+  public int boxNumber(String field, @Nullable Double given, Set<Integer> others) {
+    if (given == null
+        || given != Math.rint(given)
+        || !(given >= 1 && given <= Integer.MAX_VALUE)
+        || others.contains(given.intValue())) {
+      refuse(field, "error.supervision.box");
+      return 0;
+    }
+    return given.intValue();
+  }
+
   /** Names of robots, each once; empty where none are given. */
   public List<String> robotNames(String field, List<String> given) {
     List<String> names = given.stream().map(String::strip).distinct().toList();

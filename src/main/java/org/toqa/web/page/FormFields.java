@@ -6,7 +6,10 @@ import java.time.Instant;
 import java.time.LocalDateTime;
 import java.time.ZoneId;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
+import java.util.TreeMap;
+import java.util.regex.Pattern;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
@@ -24,6 +27,12 @@ import org.toqa.web.input.StopWords;
 
 /** The fields of a form that somebody sent. */
 final class FormFields implements Fields {
+  /** What may stand between numbers in a line; a comma within a number has no space after it. */
+  private static final Pattern BETWEEN_NUMBERS = Pattern.compile("[:;\\s]+|[,،](?=\\s)");
+
+  /** Characters of a line that is wrong. */
+  private static final int LONGEST_QUOTE = 40;
+
   private final HttpServletRequest request;
   private final FieldErrors errors;
 
@@ -154,6 +163,42 @@ final class FormFields implements Fields {
     boolean isGiven =
         Stream.of("pickX", "pickY", "placeX", "placeY").anyMatch(field -> text(field) != null);
     return isGiven ? new ArmHandling(point("pick", name), point("place", name)) : null;
+  }
+
+  /** A box a line: its number, x and y. */
+  @Override
+  public Map<Integer, Vec2> boxTargets(String name, int max) {
+    String given = text(name);
+    List<String> lines =
+        given == null ? List.of() : given.lines().filter(line -> !line.isBlank()).toList();
+    if (lines.size() > max) {
+      errors.add(name, texts().get("error.supervision.many", max));
+      return Map.of();
+    }
+    Map<Integer, Vec2> targets = new TreeMap<>();
+    for (String line : lines) {
+      List<Optional<Double>> numbers =
+          BETWEEN_NUMBERS
+              .splitAsStream(line.strip())
+              .filter(part -> !part.isEmpty())
+              .map(Digits::enteredNumber)
+              .toList();
+      if (numbers.size() != 3 || numbers.stream().anyMatch(Optional::isEmpty)) {
+        errors.add(name, texts().get("error.supervision.line", shortened(line)));
+        return Map.of();
+      }
+      int number = rules().boxNumber(name, numbers.getFirst().orElseThrow(), targets.keySet());
+      targets.put(
+          number,
+          new Vec2(
+              rules().coordinateOfPose(name, numbers.get(1).orElseThrow()),
+              rules().coordinateOfPose(name, numbers.get(2).orElseThrow())));
+    }
+    return targets;
+  }
+
+  private static String shortened(String line) {
+    return line.length() > LONGEST_QUOTE ? line.substring(0, LONGEST_QUOTE) + "…" : line.strip();
   }
 
   private Vec2 point(String name, String arm) {

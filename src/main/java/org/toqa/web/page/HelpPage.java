@@ -38,6 +38,7 @@ public final class HelpPage extends PageHandler {
           "charging",
           "control",
           "arm",
+          "supervision",
           "robot",
           "robot-link",
           "http-robot",

@@ -103,6 +103,7 @@ import org.toqa.web.page.SchedulesPage;
 import org.toqa.web.page.SettingsPage;
 import org.toqa.web.page.SitesPage;
 import org.toqa.web.page.StatisticsPage;
+import org.toqa.web.page.SupervisionPage;
 import org.toqa.web.page.TaskPage;
 import org.toqa.web.page.TasksPage;
 import org.toqa.web.page.UserPage;
@@ -188,6 +189,14 @@ public final class Routes {
           post("/floors/{floor}/hold", OPERATE, FloorForms::hold).with(URGENT),
           post("/floors/{floor}/resume", OPERATE, FloorForms::resume),
           post("/floors/{floor}/allocator", MANAGE, FloorForms::allocator),
+          get("/floors/{floor}/supervision", VIEW, SupervisionPage::show),
+          post("/floors/{floor}/supervision", MANAGE, SupervisionPage::start),
+          post("/floors/{floor}/supervision/stop", MANAGE, SupervisionPage::stop),
+          post("/floors/{floor}/supervision/look", OPERATE, SupervisionPage::lookAgain),
+          post(
+              "/floors/{floor}/supervision/boxes/{box}/leave-out",
+              OPERATE,
+              SupervisionPage::leaveOut),
           get("/cameras", VIEW, CamerasPage::show),
           post("/cameras", MANAGE, CamerasPage::add),
           post("/cameras/{id}/delete", MANAGE, CamerasPage::delete),
@@ -374,7 +383,12 @@ public final class Routes {
           post("/api/v1/floors/{floor}/allocator", MANAGE, FloorResource::allocator),
           get("/api/v1/floors/{floor}/supervision", VIEW, SupervisionResource::get),
           post("/api/v1/floors/{floor}/supervision", MANAGE, SupervisionResource::start),
-          post("/api/v1/floors/{floor}/supervision/stop", MANAGE, SupervisionResource::stop));
+          post("/api/v1/floors/{floor}/supervision/stop", MANAGE, SupervisionResource::stop),
+          post("/api/v1/floors/{floor}/supervision/look", OPERATE, SupervisionResource::lookAgain),
+          post(
+              "/api/v1/floors/{floor}/supervision/boxes/{box}/leave-out",
+              OPERATE,
+              SupervisionResource::leaveOut));
 
   private Routes() {}
 

@@ -60,6 +60,9 @@ final class FormAttacks {
           "/floors/{floor}/seen/{id}/draw",
           "/floors/{floor}/seen/{id}/dismiss",
           "/floors/{floor}/delete",
+          "/floors/{floor}/supervision/stop",
+          "/floors/{floor}/supervision/look",
+          "/floors/{floor}/supervision/boxes/{box}/leave-out",
           "/sites/{site}/visit",
           "/sites/{site}/delete");
 

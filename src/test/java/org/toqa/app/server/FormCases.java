@@ -132,6 +132,12 @@ final class FormCases {
                 and(refused("width", "height", "resolution"), Map.of("file", TAKEN)))
             .answeredWith(422), // that name is taken
         FormCase.of(
+                "floors/{floor}/supervision",
+                "/floors/{floor}/supervision",
+                Map.of("supervisor", "r1", "boxes", "1: 1, 1"),
+                refused("supervisor", "boxes", "sequential"))
+            .answeredWith(422), // no robot has an arm
+        FormCase.of(
             "settings", "/settings/log-level", Map.of("logLevel", "INFO"), refused("logLevel")),
         FormCase.of(
                 "laboratory",

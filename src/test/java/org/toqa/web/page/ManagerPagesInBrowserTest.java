@@ -67,6 +67,13 @@ class ManagerPagesInBrowserTest extends PagesInBrowser {
     assertThat(page.locator(".heading .state")).hasText("Idle");
   }
 
+  @Test
+  void aSupervisorIsStartedWatchedHelpedAndStopped() {
+    Page page = loggedIn(WebTestServer.MANAGER, DESK, "floors");
+
+    assertEquals(List.of(), new SupervisionWalk(server, page).walk());
+  }
+
   /** He adds a user, plans a task, changes the map, pauses the fleet and looks at what there is. */
   @ParameterizedTest
   @CsvSource({"en, true", "ar, false"})
