@@ -63,6 +63,7 @@ public enum EventKind {
   ROBOT_CONNECTION_REFUSED("robot.stranger"),
   ROBOT_TO_CHARGER("robot.to-charger"),
   ROBOT_WAITS_FOR_CHARGER("robot.waits-for-charger"),
+  TRAFFIC_CUT_OFF("traffic.cut-off"),
   TRAFFIC_RESOLVED("traffic.resolved"),
   TRAFFIC_STANDSTILL("traffic.standstill"),
   FLOOR_ADDED("floor.added"),

@@ -4,6 +4,7 @@ import java.time.Duration;
 import java.util.List;
 import java.util.Optional;
 import org.jspecify.annotations.Nullable;
+import org.toqa.fleet.EventKind;
 import org.toqa.fleet.FleetStore.StoredDrive;
 import org.toqa.fleet.RobotCapabilities;
 import org.toqa.fleet.robot.RobotMessage;
@@ -59,6 +60,7 @@ final class DriveDispatcher {
         (isOnOtherDrive && !(robot.settings.isInService() && isSteppingAside(robot)))
             || updateObstructed(robot)
             || isLoadAhead(robot)
+            || isCutOff(robot)
             || updateOffPath(robot)
             || isDriveUnwanted(robot);
     if (isStray) {
@@ -143,6 +145,23 @@ final class DriveDispatcher {
   private boolean isLoadAhead(FloorRobot robot) {
     return robot.reported.report().role() == Role.ALONE
         && state.leftLoads.isAhead(robot.name(), state.traffic);
+  }
+
+  /**
+   * Whether another robot stands where nobody expected it and where this one was told to drive: it
+   * is stopped, and both are planned anew from where they are.
+   */
+  private boolean isCutOff(FloorRobot robot) {
+    Optional<String> other = state.traffic.cutOffBy(robot.name());
+    boolean isToldNow =
+        robot.reported.drive() != 0
+            && !robot.drive.order().isPending()
+            && !robot.drive.isCancelling();
+    if (other.isPresent() && isToldNow) {
+      state.addSystemLine(
+          EventKind.TRAFFIC_CUT_OFF, robot.name(), Phrase.CUT_OFF.with(robot.name(), other.get()));
+    }
+    return other.isPresent();
   }
 
   /**

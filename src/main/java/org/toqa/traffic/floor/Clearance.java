@@ -10,6 +10,12 @@ final class Clearance {
   /** Between the edges of two robots, metres: twice what one may be beside its path. */
   static final double BETWEEN_ROBOTS = 2 * Trajectory.MAX_DEVIATION;
 
+  /**
+   * So near two robots never come that both keep to their paths, metres between their edges: the
+   * safety distance Ds of CMCT.
+   */
+  static final double LEAST = BETWEEN_ROBOTS - Trajectory.MAX_DEVIATION;
+
   private static final double ROUNDING = 1e-6;
 
   private Clearance() {}
@@ -26,6 +32,15 @@ final class Clearance {
    */
   static double needed(SweptArea standing, SweptArea other) {
     return standing.gapTo(other, BETWEEN_ROBOTS);
+  }
+
+  /**
+   * Whether who drives over an area comes too near to another one, and nearer than it is.
+   *
+   * @param standing what it covers where it is
+   */
+  static boolean isBroken(SweptArea standing, SweptArea area, SweptArea other) {
+    return area.gapTo(other, LEAST) < standing.gapTo(other, LEAST) - ROUNDING;
   }
 
   /**

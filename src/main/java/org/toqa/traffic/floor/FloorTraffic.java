@@ -157,6 +157,31 @@ public final class FloorTraffic {
     robot.setPose(pose, diameter / 2);
     robot.stop();
     freePathsThrough(robot, known);
+    if (robot.isElsewhere()) {
+      cutOffOthers(robot);
+    }
+  }
+
+  /** Whoever was released what leads too near to where the robot stands must stop. */
+  private void cutOffOthers(TrafficRobot robot) {
+    SweptArea there = robot.standingArea();
+    for (TrafficRobot other : robots.values()) {
+      if (other != robot
+          && other.drive.isDriving()
+          && other.allocated().stream()
+              .anyMatch(area -> Clearance.isBroken(other.standingArea(), area, there))) {
+        other.cutOff(robot.name);
+      }
+    }
+  }
+
+  /**
+   * The robot that stands on what this one may drive, or nearer to that than robots ever come that
+   * keep to their paths, as where a person has moved it; until this one has stopped. Both are
+   * planned anew then (Ds of CMCT).
+   */
+  public Optional<String> cutOffBy(String name) {
+    return Optional.ofNullable(robot(name).cutOffBy());
   }
 
   /**

@@ -24,6 +24,9 @@ final class TrafficRobot {
   /** So near to the middle of a cell, in cells, a robot is in it. */
   private static final double NEAR = 0.2;
 
+  /** Metres: who has moved less stands where it stood. */
+  private static final double SAME_PLACE = 0.01;
+
   /** So nearly, radians, it faces as it shall. */
   private static final double FACING = 0.05;
 
@@ -60,6 +63,12 @@ final class TrafficRobot {
   /** The free zone that it is not lent until it has left it and its path is over; null: none. */
   private @Nullable Area givenUp;
 
+  /** The robot that stands on what this one may drive, where nobody expected it; null: none. */
+  private @Nullable String cutOffBy;
+
+  /** Where it stood when it was looked at last whom it cuts off. */
+  private Vec2 lookedAt;
+
   /** What it covers where it is. */
   private SweptArea standingArea;
 
@@ -75,6 +84,7 @@ final class TrafficRobot {
     this.drive = new Drive(now);
     this.waiting = new WaitState();
     this.standingArea = SweptArea.at(pose.position(), radius);
+    this.lookedAt = new Vec2(Double.NaN, Double.NaN);
   }
 
   private TrafficRobot(TrafficRobot other) {
@@ -92,6 +102,8 @@ final class TrafficRobot {
     formation = other.formation;
     stalled = other.stalled;
     standingArea = other.standingArea;
+    cutOffBy = other.cutOffBy;
+    lookedAt = other.lookedAt;
   }
 
   /** Another one in the same state: neither learns what becomes of the other. */
@@ -135,6 +147,24 @@ final class TrafficRobot {
 
   void setMovable(boolean newMovable) {
     movable = newMovable;
+  }
+
+  @Nullable String cutOffBy() {
+    return cutOffBy;
+  }
+
+  /** Another one stands where it was to drive; it must stop. */
+  void cutOff(String by) {
+    cutOffBy = by;
+  }
+
+  /** Whether it stands elsewhere than when it was asked last. */
+  boolean isElsewhere() {
+    if (pose.position().distanceTo(lookedAt) < SAME_PLACE) {
+      return false;
+    }
+    lookedAt = pose.position();
+    return true;
   }
 
   boolean isStalled() {
@@ -397,6 +427,7 @@ final class TrafficRobot {
   /** It is stopped and has no path. */
   void stop() {
     drive.stop();
+    cutOffBy = null;
     waiting.setBlockedReason(null);
   }
 

@@ -24,6 +24,7 @@ import org.toqa.grid.Margins;
 import org.toqa.grid.Moves;
 import org.toqa.grid.OccupancyGrid;
 import org.toqa.motion.DriveSpeeds;
+import org.toqa.motion.Trajectory;
 import org.toqa.traffic.Deadline;
 import org.toqa.traffic.mapf.LacamJointPlanner;
 
@@ -57,6 +58,11 @@ final class DrivenFloor {
   final OccupancyGrid grid;
   final FloorTraffic traffic;
   final Map<String, DrivenBody> bodies = new TreeMap<>();
+
+  /** Whether one was ever put where nobody expected it. */
+  private boolean isAnyCarried;
+
+  private int cutOffs;
   final Set<String> lost = new TreeSet<>();
   private final SplittableRandom chance;
   private final AtomicLong looks = new AtomicLong();
@@ -192,6 +198,31 @@ final class DrivenFloor {
     traffic.removeRobot(robot);
   }
 
+  /** A person carries it there, stopped; who is cut off by that stops. */
+  void carry(String robot, Cell cell) {
+    DrivenBody body = body(robot);
+    body.trajectory = null;
+    body.pose = new Pose(grid.centre(cell).x(), grid.centre(cell).y(), 0);
+    areas.put(robot, body.pose.position());
+    isAnyCarried = true;
+  }
+
+  /** How many were stopped since another one stood where they were to drive. */
+  int cutOffs() {
+    return cutOffs;
+  }
+
+  private void stopWhoIsCutOff() {
+    bodies.forEach(
+        (name, body) -> {
+          if (body.trajectory != null && traffic.cutOffBy(name).isPresent()) {
+            require(isAnyCarried, name + " is cut off by " + traffic.cutOffBy(name));
+            cutOffs++;
+            body.trajectory = null;
+          }
+        });
+  }
+
   /** It stops where it is and wants nothing any more, as after a cancel or a restart. */
   void giveUp(String robot) {
     body(robot).trajectory = null;
@@ -219,6 +250,7 @@ final class DrivenFloor {
   void stopBesidePath(String robot, double metres, double radians) {
     DrivenBody body = body(robot);
     body.trajectory = null;
+    isAnyCarried |= metres > Trajectory.MAX_DEVIATION;
     Pose onPath = body.pose;
     for (int tries = 0; tries < 20; tries++) {
       body.pose =
@@ -276,6 +308,7 @@ final class DrivenFloor {
     now = now.plusMillis((long) (STEP * 1000));
     makePlans();
     bodies.forEach(this::report);
+    stopWhoIsCutOff();
     traffic.decide(now).forEach(this::obey);
     bodies.values().forEach(body -> body.move(STEP, chance));
     if (mostError > 0) {

@@ -275,6 +275,27 @@ class FloorTrafficTest {
     assertTrue(floor.areAllArrived(), () -> floor.reasons().toString());
   }
 
+  /** As where a person carries it: who was to drive there stops, and both are planned anew. */
+  @Test
+  void aRobotThatIsPutOntoTheWayOfAnotherOneStopsIt() {
+    String row = "...........";
+    DrivenFloor floor = new DrivenFloor(DrivenFloor.draw(row, row, row), 4);
+    floor.put("a", new Cell(0, 1));
+    floor.put("b", new Cell(5, 2));
+    floor.send("a", new Cell(10, 1));
+    for (int i = 0; i < 20; i++) {
+      floor.step();
+    }
+    assertEquals(0, floor.cutOffs());
+
+    floor.carry("b", new Cell(3, 1));
+    floor.send("b", new Cell(0, 1));
+
+    floor.drive(LIMIT);
+    assertTrue(floor.areAllArrived(), () -> floor.reasons().toString());
+    assertEquals(1, floor.cutOffs());
+  }
+
   @ParameterizedTest
   @ValueSource(ints = {5, 15, 25, 40, 60, 80, 100, 120, 150, 180})
   void aRobotThatGivesUpItsWayIsNotWaitedForForEver(int steps) {
