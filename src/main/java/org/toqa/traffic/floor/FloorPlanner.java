@@ -55,6 +55,7 @@ final class FloorPlanner {
     this.freeSpace = new FreeSpace(grid, margins);
     this.singleRobotPlanner = new SingleRobotPlanner(freeSpace, fitter, moves);
     this.rightOfWay = new RightOfWay(singleRobotPlanner);
+    LaneTurns turns = new LaneTurns();
     this.lanePlanner =
         new LanePlanner(
             freeSpace,
@@ -62,8 +63,9 @@ final class FloorPlanner {
             jointPlanner,
             new NextStepsPlanner(nextSteps),
             rightOfWay,
+            turns,
             planningDeadline);
-    this.waitReasons = new WaitReasonFinder(freeSpace, singleRobotPlanner, rightOfWay);
+    this.waitReasons = new WaitReasonFinder(freeSpace, singleRobotPlanner, rightOfWay, turns);
     this.roomMaker = new RoomMaker(singleRobotPlanner);
   }
 

@@ -1,11 +1,13 @@
 package org.toqa.traffic.floor;
 
-import static java.util.Comparator.comparing;
 import static java.util.Comparator.nullsLast;
 
 import java.time.Instant;
+import java.util.ArrayDeque;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.Comparator;
+import java.util.Deque;
 import java.util.HashMap;
 import java.util.HashSet;
 import java.util.List;
@@ -18,8 +20,6 @@ import org.toqa.geometry.Vec2;
 import org.toqa.grid.Cell;
 import org.toqa.grid.MoveRules;
 import org.toqa.grid.OccupancyGrid;
-import org.toqa.traffic.Deadline;
-import org.toqa.traffic.DistanceTables;
 import org.toqa.traffic.RoadGraph;
 import org.toqa.traffic.Spacing;
 
@@ -50,6 +50,10 @@ final class GoalAssignment {
   private final List<SweptArea> lastLegs = new ArrayList<>();
 
   private final int[] assigned;
+
+  /** By robot: the vertex of its own goal; where it is, if it wants nothing or has no path. */
+  private final int[] own;
+
   private final Map<Integer, TrafficRobot> taken = new HashMap<>();
 
   /** By robot: the vertex of its own goal, which another has that has not come there yet. */
@@ -74,7 +78,10 @@ final class GoalAssignment {
       int[] starts,
       List<SweptArea> wanted) {
     this(freeSpace, occupied, lanes, roads, spacing, planned, starts, wanted, Set.of());
-    order(planned).forEach(i -> assign(i, goal(i)));
+    for (int i : order(planned)) {
+      own[i] = starts[i];
+      assign(i, goal(i));
+    }
   }
 
   private GoalAssignment(
@@ -97,16 +104,51 @@ final class GoalAssignment {
     this.wanted = wanted;
     this.keptFree = keptFree;
     this.assigned = new int[planned.size()];
+    this.own = new int[planned.size()];
   }
 
-  /**
-   * The goal of the one that waits longest; for each other robot the nearest place that is not on
-   * the shortest path there.
-   */
-  GoalAssignment forLongestWaiting() {
+  /** The robots, whoever has waited longest first. */
+  List<TrafficRobot> byWaiting() {
+    return order(planned).stream().map(planned::get).toList();
+  }
+
+  /** Whether it has its own goal by this. */
+  boolean canArrive(TrafficRobot robot) {
+    int i = planned.indexOf(robot);
+    return robot.goal() != null && assigned[i] == own[i] && !unreachable.contains(robot.name);
+  }
+
+  /** Whether a robot could get to its goal past another one that stays where it is. */
+  boolean isPassable(TrafficRobot robot, String staying) {
+    int i = planned.indexOf(robot);
+    Set<Integer> closed = new HashSet<>();
+    for (int other = 0; other < planned.size(); other++) {
+      if (planned.get(other).name.equals(staying)) {
+        closed.add(starts[other]);
+        Arrays.stream(spacing.near(starts[other])).forEach(closed::add);
+      }
+    }
+    boolean isPlanned = !closed.isEmpty();
+    Deque<Integer> reached = new ArrayDeque<>(List.of(starts[i]));
+    while (!reached.isEmpty()) {
+      int at = reached.remove();
+      if (at == own[i]) {
+        return isPlanned && canArrive(robot);
+      }
+      for (int d = 0; d < RoadGraph.DIRECTIONS; d++) {
+        int next = roads.neighbour(at, d);
+        if (next != RoadGraph.NONE && closed.add(next)) {
+          reached.add(next);
+        }
+      }
+    }
+    return false;
+  }
+
+  /** The goal of one; for each other robot the nearest place that is not on the shortest path. */
+  GoalAssignment only(TrafficRobot robot) {
     List<Integer> order = new ArrayList<>(order(planned));
-    order.sort(comparing(i -> !planned.get(i).needsPath()));
-    int first = order.getFirst();
+    int first = planned.indexOf(robot);
     int goal = assigned[first];
     GoalAssignment one =
         new GoalAssignment(
@@ -118,10 +160,27 @@ final class GoalAssignment {
             planned,
             starts,
             wanted,
-            shortestPath(starts[first], goal));
+            Set.copyOf(LaneWay.vertices(roads, starts[first], goal)));
     one.assign(first, goal);
-    order.stream().skip(1).forEach(i -> one.assign(i, one.nearestOpen(starts[i], starts[i])));
+    order.remove(Integer.valueOf(first));
+    order.forEach(i -> one.assign(i, one.nearestOpen(starts[i], starts[i])));
     return one;
+  }
+
+  /** Who are, or want to be, where the only one has to go that gets its goal. */
+  Set<String> makingRoom(TrafficRobot only) {
+    int first = planned.indexOf(only);
+    Set<Integer> path = Set.copyOf(LaneWay.vertices(roads, starts[first], own[first]));
+    return IntStream.range(0, planned.size())
+        .filter(i -> planned.get(i) != only && planned.get(i).goal() != null)
+        .filter(i -> isNear(path, starts[i]) || isNear(path, own[i]))
+        .mapToObj(i -> planned.get(i).name)
+        .collect(Collectors.toSet());
+  }
+
+  private boolean isNear(Set<Integer> path, int vertex) {
+    return path.contains(vertex)
+        || Arrays.stream(spacing.near(vertex)).anyMatch(near -> path.contains(near));
   }
 
   /** Those that have a place or a path to it, then who waits longest, then who wants nothing. */
@@ -140,26 +199,6 @@ final class GoalAssignment {
   private void assign(int i, int vertex) {
     assigned[i] = vertex;
     taken.put(vertex, planned.get(i));
-  }
-
-  /** The vertices of a shortest path. */
-  private Set<Integer> shortestPath(int from, int to) {
-    char[] distances = DistanceTables.of(roads, new int[] {to}, Deadline.none())[0];
-    Set<Integer> path = new HashSet<>(Set.of(from));
-    int at = from;
-    while (at != to) {
-      int best = at;
-      for (int d = 0; d < RoadGraph.DIRECTIONS; d++) {
-        int next = roads.neighbour(at, d);
-        best = next != RoadGraph.NONE && distances[next] < distances[best] ? next : best;
-      }
-      if (best == at) {
-        return path;
-      }
-      at = best;
-      path.add(at);
-    }
-    return path;
   }
 
   /** By robot: a vertex, all different. */
@@ -210,6 +249,7 @@ final class GoalAssignment {
       unreachable.add(robot.name);
       return nearestOpen(starts[i], starts[i]);
     }
+    own[i] = vertex;
     TrafficRobot holder = takenBy(vertex);
     if (holder != null) {
       holders.put(robot.name, holder.name);

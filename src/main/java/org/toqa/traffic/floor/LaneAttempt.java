@@ -274,24 +274,37 @@ final class LaneAttempt {
   }
 
   /**
-   * Plans for all goals at once; where there is no such plan, for whoever waits longest.
+   * Plans for all goals at once; where there is no such plan, for that of whose turn it is.
    *
    * @return whether there is a plan
    */
-  boolean planWhole(JointPlanner planner, Deadline deadline) {
-    Optional<List<int[]>> steps =
-        plan(planner, goals, deadline)
-            .or(
-                () ->
-                    planned.isEmpty()
-                        ? Optional.empty()
-                        : plan(planner, goals.forLongestWaiting(), deadline));
+  boolean planWhole(JointPlanner planner, LaneTurns turns, Instant now, Deadline deadline) {
+    Optional<List<int[]>> steps = plan(planner, goals, deadline);
+    if (steps.isPresent()) {
+      if (leftOutCount() == 0) {
+        turns.end();
+      }
+    } else {
+      steps =
+          turns
+              .next(goals.byWaiting(), goals::canArrive, goals::isPassable)
+              .flatMap(one -> planOnly(one, planner, turns, now, deadline));
+    }
     steps.ifPresent(
         found -> {
           adopt(roads, spacing, found);
           rightOfWay.setPlanned(goals.reaching());
         });
     return steps.isPresent();
+  }
+
+  private Optional<List<int[]>> planOnly(
+      TrafficRobot robot, JointPlanner planner, LaneTurns turns, Instant now, Deadline deadline) {
+    Optional<List<int[]>> steps = plan(planner, goals.only(robot), deadline);
+    if (steps.isPresent() && goals.canArrive(robot)) {
+      turns.begin(robot, goals.makingRoom(robot), now);
+    }
+    return steps;
   }
 
   private Optional<List<int[]>> plan(JointPlanner planner, GoalAssignment to, Deadline deadline) {

@@ -37,6 +37,7 @@ final class LanePlanner {
   private final JointPlanner planner;
   private final NextStepsPlanner nextSteps;
   private final RightOfWay rightOfWay;
+  private final LaneTurns turns;
   private final Supplier<Deadline> planningDeadline;
 
   /** Of the robots for which the lanes were on which next steps were planned last, metres. */
@@ -50,12 +51,14 @@ final class LanePlanner {
       JointPlanner planner,
       NextStepsPlanner nextSteps,
       RightOfWay rightOfWay,
+      LaneTurns turns,
       Supplier<Deadline> planningDeadline) {
     this.freeSpace = freeSpace;
     this.fitter = fitter;
     this.planner = planner;
     this.nextSteps = nextSteps;
     this.rightOfWay = rightOfWay;
+    this.turns = turns;
     this.planningDeadline = planningDeadline;
   }
 
@@ -72,6 +75,7 @@ final class LanePlanner {
       Instant now) {
     Deadline deadline = planningDeadline.get();
     rightOfWay.setPlanned(Set.of());
+    turns.update(robots, now);
     List<LaneAttempt> incomplete = new ArrayList<>();
     int fewestLeftOut = Integer.MAX_VALUE;
     for (boolean everybody : List.of(false, true)) {
@@ -85,13 +89,14 @@ final class LanePlanner {
           attempt.recordHolders();
           if (attempt.planAhead(nextSteps, now, deadline)) {
             keepWidth(attempt.diameter(), now);
+            turns.end();
             return LaneOutcome.PLANNED_AHEAD;
           }
         }
         if (leftOut > 0) {
           incomplete.add(attempt);
         } else {
-          LaneOutcome outcome = tryPlan(attempt, mustPlan, deadline);
+          LaneOutcome outcome = tryPlan(attempt, mustPlan, now, deadline);
           if (outcome != LaneOutcome.NOT_FOUND) {
             return outcome;
           }
@@ -100,7 +105,7 @@ final class LanePlanner {
     }
     incomplete.sort(Comparator.comparingInt(LaneAttempt::leftOutCount));
     for (LaneAttempt attempt : incomplete) {
-      LaneOutcome outcome = tryPlan(attempt, mustPlan, deadline);
+      LaneOutcome outcome = tryPlan(attempt, mustPlan, now, deadline);
       if (outcome != LaneOutcome.NOT_FOUND) {
         return outcome;
       }
@@ -143,12 +148,15 @@ final class LanePlanner {
     }
   }
 
-  private LaneOutcome tryPlan(LaneAttempt attempt, boolean mustPlan, Deadline deadline) {
+  private LaneOutcome tryPlan(
+      LaneAttempt attempt, boolean mustPlan, Instant now, Deadline deadline) {
     attempt.recordHolders();
     if (!mustPlan && !attempt.isOfUse()) {
       return LaneOutcome.NOT_NEEDED;
     }
-    return attempt.planWhole(planner, deadline) ? LaneOutcome.PLANNED : LaneOutcome.NOT_FOUND;
+    return attempt.planWhole(planner, turns, now, deadline)
+        ? LaneOutcome.PLANNED
+        : LaneOutcome.NOT_FOUND;
   }
 
   /** Of the robots that need a plan, or of everybody; the largest first. */

@@ -32,6 +32,14 @@ public sealed interface WaitReason {
     }
   }
 
+  /** Another robot is at its goal on the only path: a group, or one that it made room for. */
+  record RobotAtGoal(String robot, Vec2 where) implements WaitReason {
+    @Override
+    public Sentence sentence() {
+      return Phrase.WAITS_FOR_ONE_AT_GOAL.with(robot, Sentence.of(where));
+    }
+  }
+
   /** Another robot is there, and cannot be told to make room. */
   record RobotNotMovable(String robot, Vec2 where) implements WaitReason {
     @Override

@@ -13,12 +13,17 @@ final class WaitReasonFinder {
   private final FreeSpace freeSpace;
   private final SingleRobotPlanner singleRobotPlanner;
   private final RightOfWay rightOfWay;
+  private final LaneTurns turns;
 
   WaitReasonFinder(
-      FreeSpace freeSpace, SingleRobotPlanner singleRobotPlanner, RightOfWay rightOfWay) {
+      FreeSpace freeSpace,
+      SingleRobotPlanner singleRobotPlanner,
+      RightOfWay rightOfWay,
+      LaneTurns turns) {
     this.freeSpace = freeSpace;
     this.singleRobotPlanner = singleRobotPlanner;
     this.rightOfWay = rightOfWay;
+    this.turns = turns;
   }
 
   /**
@@ -29,6 +34,10 @@ final class WaitReasonFinder {
     Vec2 goal = Objects.requireNonNull(robot.goal());
     if (robot.waiting.goalTakenBy() != null) {
       return new WaitReason.GoalTaken(robot.waiting.goalTakenBy(), goal);
+    }
+    Optional<WaitReason> atGoal = robotAtGoal(robot, robots);
+    if (atGoal.isPresent()) {
+      return atGoal.get();
     }
     Optional<List<Section>> sections = singleRobotPlanner.pathAroundStaying(robot, robots);
     if (sections.isPresent()) {
@@ -41,7 +50,15 @@ final class WaitReasonFinder {
     return singleRobotPlanner
         .pathAlone(robot)
         .flatMap(alone -> firstBlocking(robot, alone, notMovable, claimed))
+        .or(() -> stayingOnLanes(robot, robots, claimed))
         .orElseGet(() -> reasonWithoutPath(robot, goal));
+  }
+
+  private Optional<WaitReason> robotAtGoal(TrafficRobot robot, Collection<TrafficRobot> robots) {
+    return turns
+        .cameFirst(robot)
+        .flatMap(first -> robots.stream().filter(other -> other.name.equals(first)).findFirst())
+        .map(first -> new WaitReason.RobotAtGoal(first.name, first.pose().position()));
   }
 
   private Optional<WaitReason> firstBlocking(
@@ -64,6 +81,35 @@ final class WaitReasonFinder {
         .orElseGet(sections::getLast)
         .end()
         .position();
+  }
+
+  /** Who stays on lanes that lead to its goal, as in an aisle hardly wider than itself. */
+  private Optional<WaitReason> stayingOnLanes(
+      TrafficRobot robot, Collection<TrafficRobot> robots, ClaimedAreas claimed) {
+    List<SweptArea> way = LaneWay.areas(freeSpace.seenBy(robot), robot);
+    SweptArea standing = robot.areaAt(robot.committedEnd());
+    return robots.stream()
+        .filter(other -> other != robot)
+        .filter(other -> !other.isMovable() || SingleRobotPlanner.stays(other))
+        .filter(
+            other ->
+                claimed.of(other).stream()
+                    .anyMatch(
+                        area -> way.stream().anyMatch(on -> !Clearance.isKept(standing, on, area))))
+        .findFirst()
+        .map(other -> reason(other, other.pose().position()));
+  }
+
+  private static WaitReason reason(TrafficRobot other, Vec2 where) {
+    if (!other.isMovable()) {
+      return new WaitReason.RobotNotMovable(other.name, where);
+    }
+    if (SingleRobotPlanner.stays(other) && other.isGoal(other.pose())) {
+      return new WaitReason.RobotAtGoal(other.name, other.pose().position());
+    }
+    return other.drive.isOver()
+        ? new WaitReason.RobotStanding(other.name, where)
+        : new WaitReason.RobotPassing(other.name, where);
   }
 
   private WaitReason reasonWithoutPath(TrafficRobot robot, Vec2 goal) {
@@ -96,12 +142,7 @@ final class WaitReasonFinder {
               && claimed.of(other).stream()
                   .anyMatch(area -> !Clearance.isKept(standing, section.area(), area));
       if (isBlocking) {
-        if (!other.isMovable()) {
-          return new WaitReason.RobotNotMovable(other.name, where);
-        }
-        return other.drive.isOver()
-            ? new WaitReason.RobotStanding(other.name, where)
-            : new WaitReason.RobotPassing(other.name, where);
+        return reason(other, where);
       }
     }
     String first = rightOfWay.holder();

@@ -51,7 +51,7 @@ final class DrivenFloor {
   private static final long NANOS_A_LOOK = 1_000;
 
   private static final Pattern WAITING_FOR =
-      Pattern.compile("^Waiting for (\\w+)( to leave the goal)?");
+      Pattern.compile("^Waiting for (\\w+)( to leave the goal|, which stays at its goal)?");
 
   private static final String NO_PATH = "Waiting: the map has no path";
 
