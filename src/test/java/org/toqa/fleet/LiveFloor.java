@@ -277,11 +277,13 @@ final class LiveFloor {
   }
 
   private void step() throws InterruptedException {
-    awaitSettled(links::areSettled);
-    if (links.haveArrived()) {
-      runtime.runWhileHeldUp(links::deliver);
+    long hangs = System.nanoTime() + HANGS_AFTER.toNanos();
+    while (!isReady()) {
+      if (System.nanoTime() > hangs) {
+        fail("The world does not go on: " + links);
+      }
+      LockSupport.parkNanos(LOOK_AGAIN_NANOS);
     }
-    awaitSettled(there -> links.areSettled(there) && clock.isReady());
     while (System.nanoTime() < due) {
       LockSupport.parkNanos(due - System.nanoTime());
     }
@@ -290,14 +292,16 @@ final class LiveFloor {
     runtime.awaitQuiescence();
   }
 
-  private void awaitSettled(Predicate<SimulatedFleet> isSettled) {
-    long hangs = System.nanoTime() + HANGS_AFTER.toNanos();
-    while (!isSettled.test(robots)) {
-      if (System.nanoTime() > hangs) {
-        fail("The world does not go on: " + links);
-      }
-      LockSupport.parkNanos(LOOK_AGAIN_NANOS);
+  /** Whether the next step may come: whatever was said has come, and nobody waits for more. */
+  private boolean isReady() throws InterruptedException {
+    if (!links.areSettled(robots)) {
+      return false;
     }
+    if (links.haveArrived()) {
+      runtime.runWhileHeldUp(links::deliver);
+      return links.areSettled(robots) && !links.haveArrived() && clock.isReady();
+    }
+    return clock.isReady();
   }
 
   static TaskView task(FleetSnapshot view, long id) {

@@ -102,6 +102,7 @@ public final class Rights {
         .replace("{session}", "999999")
         .replace("{reading}", "range")
         .replace("{floor}", "none")
+        .replace("{box}", "0")
         .replace("{site}", "none")
         .replace("{topic}", "none")
         .replace("*", "css/base.css");
