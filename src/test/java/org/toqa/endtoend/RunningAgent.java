@@ -34,10 +34,20 @@ final class RunningAgent implements AutoCloseable {
    */
   RunningAgent(Path folder, String name, double x, double y, double speed, String chassis)
       throws Exception {
+    this(folder, name, x, y, speed, chassis, "");
+  }
+
+  /**
+   * @param parts more lines of YAML about what it has beside its body
+   */
+  RunningAgent(
+      Path folder, String name, double x, double y, double speed, String chassis, String parts)
+      throws Exception {
     this.name = name;
     this.home = Files.createDirectories(folder.resolve(name));
     this.config =
-        """
+        parts
+            + """
         name: %s
         dataDir: data
         chassis:
