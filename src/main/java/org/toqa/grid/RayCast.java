@@ -45,6 +45,54 @@ public final class RayCast {
     return farthest;
   }
 
+  /** Told each cell along a ray. */
+  @FunctionalInterface
+  public interface CellVisitor {
+    /**
+     * @param column of the cell, from the west
+     * @param up its row, from the south
+     * @param entered metres along the ray
+     * @param left metres along the ray
+     * @return whether the ray goes on
+     */
+    boolean visit(int column, int up, double entered, double left);
+  }
+
+  /**
+   * Goes along a ray through squares without end, in the order in which it meets them.
+   *
+   * @param side metres of a square
+   * @param from metres from the lower left corner of the square in column 0 and the lowest row
+   * @param direction radians, counter-clockwise from map east
+   * @param farthest metres: the last square is that in which the ray is then
+   */
+  public static void walk(
+      double side, Vec2 from, double direction, double farthest, CellVisitor visitor) {
+    double x = from.x() / side;
+    double y = from.y() / side;
+    int column = (int) Math.floor(x);
+    int up = (int) Math.floor(y);
+    double dx = Math.cos(direction);
+    double dy = Math.sin(direction);
+    double toColumn = untilBorder(x - column, dx);
+    double toRow = untilBorder(y - up, dy);
+    double travelled = 0; // in squares
+    while (travelled * side < farthest) {
+      double next = Math.min(toColumn, toRow);
+      if (!visitor.visit(column, up, travelled * side, next * side)) {
+        return;
+      }
+      travelled = next;
+      if (toColumn < toRow) {
+        toColumn += Math.abs(1 / dx);
+        column += dx > 0 ? 1 : -1;
+      } else {
+        toRow += Math.abs(1 / dy);
+        up += dy > 0 ? 1 : -1;
+      }
+    }
+  }
+
   /** How far along the ray the cell's border is, in cells. */
   private static double untilBorder(double inside, double step) {
     if (step == 0) {
