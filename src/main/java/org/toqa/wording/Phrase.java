@@ -639,6 +639,16 @@ public enum Phrase {
   SUPERVISION_AWAY,
   SUPERVISION_OCCUPIED;
 
+  // Explorations of floors
+  EXPLORATION_NO_GROUND,
+  EXPLORATION_GROUND_LARGE,
+  EXPLORATION_START_BLOCKED,
+  EXPLORATION_TARGET_OUTSIDE,
+  EXPLORATION_DRAFT_EXISTS,
+  EXPLORATION_RUNS,
+  EXPLORATION_RUNS_NOT,
+  EXPLORATION_NOTHING_TO_DRAW;
+
   /**
    * @param values texts, numbers and sentences for its places, in their order
    */

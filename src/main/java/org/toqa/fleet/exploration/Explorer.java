@@ -1,0 +1,335 @@
+package org.toqa.fleet.exploration;
+
+import java.time.Duration;
+import java.time.InstantSource;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.CompletionStage;
+import java.util.concurrent.ConcurrentHashMap;
+import java.util.concurrent.ExecutionException;
+import java.util.concurrent.ScheduledThreadPoolExecutor;
+import java.util.concurrent.Semaphore;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.TimeoutException;
+import java.util.function.DoubleSupplier;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+import org.toqa.exploration.ExplorationDrive;
+import org.toqa.exploration.ExplorationOrder;
+import org.toqa.exploration.HiddenGround;
+import org.toqa.fleet.Answer;
+import org.toqa.fleet.Fleet;
+import org.toqa.fleet.FloorDraft;
+import org.toqa.geometry.Vec2;
+import org.toqa.grid.FloorDrawing;
+import org.toqa.grid.OccupancyGrid;
+import org.toqa.grid.Place;
+import org.toqa.wording.Phrase;
+
+/**
+ * Lets swarms explore the floors of a site.
+ *
+ * <ol>
+ *   <li>{@link #start} checks an order, and begins at once: one exploration at a time in all sites
+ *       of the server.
+ *   <li>It drives on a thread of its own, faster than it would in truth, and rests for at least
+ *       three times as long as it computes. Whoever watches asks {@link #latest}; nobody need to.
+ *   <li>It ends by itself, by {@link #stop}, or with the server. What was seen becomes the floor's
+ *       draft, unless somebody has drawn there meanwhile; then {@link #draw} makes it so.
+ * </ol>
+ *
+ * <p>Of each floor the last one is kept, until the server ends. Any thread may call it.
+ */
+public final class Explorer implements AutoCloseable {
+  private static final Logger log = LoggerFactory.getLogger(Explorer.class);
+
+  /** Before the name of a floor whose map in force is the ground. */
+  public static final String FLOOR = "floor:";
+
+  /** Before the name of a ground that is shipped. */
+  public static final String SCENE = "scene:";
+
+  /** Simulated seconds a second, for people who watch. */
+  public static final double WATCHED = 4;
+
+  /** Of the processor that it drives on, at most so much is taken. */
+  private static final double SHARE = 0.25;
+
+  private static final Duration LIMIT = Duration.ofSeconds(10);
+
+  /** Steps between two pictures. */
+  private static final int PICTURE_STEPS = 3;
+
+  private final Fleet fleet;
+  private final Semaphore slot;
+  private final InstantSource clock;
+  private final DoubleSupplier speed;
+  private final Map<String, Exploration> latest = new ConcurrentHashMap<>();
+  private final Map<String, Running> running = new ConcurrentHashMap<>();
+  private final ScheduledThreadPoolExecutor thread =
+      new ScheduledThreadPoolExecutor(
+          1,
+          Thread.ofPlatform()
+              .daemon()
+              .name("exploration")
+              .priority(Thread.MIN_PRIORITY)
+              .factory());
+  private volatile boolean isClosed;
+
+  /** One that goes on; driven by the thread alone. */
+  private static final class Running {
+    final ExplorationDrive drive;
+    final Exploration begun;
+    final FloorDraft draft;
+    final CompletableFuture<Exploration> end = new CompletableFuture<>();
+    volatile boolean isStopped;
+    int steps;
+    long dueNanos = System.nanoTime();
+
+    Running(ExplorationDrive drive, Exploration begun, FloorDraft draft) {
+      this.drive = drive;
+      this.begun = begun;
+      this.draft = draft;
+    }
+  }
+
+  /**
+   * @param slot with one permit, which all sites of the server share
+   * @param speed simulated seconds a second, asked at each step; infinite: as fast as it can
+   */
+  public Explorer(Fleet fleet, Semaphore slot, InstantSource clock, DoubleSupplier speed) {
+    this.fleet = fleet;
+    this.slot = slot;
+    this.clock = clock;
+    this.speed = speed;
+    thread.prestartCoreThread(); // not by a request, of whose application it would be
+  }
+
+  /** The last exploration of a floor. */
+  public Optional<Exploration> latest(String floor) {
+    return Optional.ofNullable(latest.get(floor));
+  }
+
+  /**
+   * The ground of that name: {@code scene:} and a {@link HiddenGround}, or {@code floor:} and a
+   * floor, whose map in force it is; empty: there is none.
+   */
+  public Optional<OccupancyGrid> ground(String name) {
+    if (name.startsWith(SCENE)) {
+      return HiddenGround.named(name.substring(SCENE.length())).map(HiddenGround::grid);
+    }
+    return fleet.floors().stream()
+        .filter(floor -> name.equals(FLOOR + floor.name()))
+        .map(floor -> floor.drawing().walls())
+        .findFirst();
+  }
+
+  /** Begins one. */
+  public Answer<Exploration> start(
+      String floor, String ground, ExplorationOrder order, String user) {
+    Optional<FloorDraft> draft = fleet.floorEditing().draft(floor);
+    Optional<OccupancyGrid> truth = ground(ground);
+    if (draft.isEmpty()) {
+      return new Answer.Unknown<>(Phrase.NO_SUCH_FLOOR.with(floor));
+    }
+    if (truth.isEmpty()) {
+      return new Answer.Rejected<>("ground", Phrase.EXPLORATION_NO_GROUND.with());
+    }
+    Optional<Answer<Exploration>> refusal = refusal(truth.get(), order);
+    if (refusal.isPresent()) {
+      return refusal.get();
+    }
+    String drawer = draft.get().user();
+    if (drawer != null) {
+      return new Answer.Conflict<>(Phrase.EXPLORATION_DRAFT_EXISTS.with(floor, drawer), null);
+    }
+    if (!slot.tryAcquire()) {
+      return new Answer.Conflict<>(Phrase.EXPLORATION_RUNS.with(), null);
+    }
+    boolean isBegun = false;
+    try {
+      Exploration begun = begin(floor, ground, truth.get(), order, user, draft.get());
+      isBegun = true;
+      return new Answer.Accepted<>(begun);
+    } finally {
+      if (!isBegun) {
+        slot.release();
+      }
+    }
+  }
+
+  private Exploration begin(
+      String floor,
+      String ground,
+      OccupancyGrid truth,
+      ExplorationOrder order,
+      String user,
+      FloorDraft draft) {
+    ExplorationDrive drive = new ExplorationDrive(truth, order);
+    Exploration begun =
+        new Exploration(
+            floor,
+            ground,
+            order,
+            user,
+            clock.instant(),
+            null,
+            Exploration.State.RUNNING,
+            drive.picture(),
+            Exploration.Draft.NONE_YET);
+    Running now = new Running(drive, begun, draft);
+    latest.put(floor, begun);
+    running.put(floor, now);
+    thread.execute(() -> advance(now));
+    return begun;
+  }
+
+  private static Optional<Answer<Exploration>> refusal(
+      OccupancyGrid truth, ExplorationOrder order) {
+    if (!ExplorationDrive.isSimulated(truth)) {
+      return Optional.of(new Answer.Rejected<>("ground", Phrase.EXPLORATION_GROUND_LARGE.with()));
+    }
+    if (!ExplorationDrive.fits(truth, order)) {
+      return Optional.of(
+          new Answer.Rejected<>("start", Phrase.EXPLORATION_START_BLOCKED.with(order.robots())));
+    }
+    return truth.contains(truth.cellAt(order.target()))
+        ? Optional.empty()
+        : Optional.of(new Answer.Rejected<>("target", Phrase.EXPLORATION_TARGET_OUTSIDE.with()));
+  }
+
+  private void advance(Running now) {
+    Exploration last = now.begun.with(Exploration.State.FAILED, now.begun.picture());
+    try {
+      Exploration.State state =
+          now.isStopped || isClosed ? Exploration.State.STOPPED : driveOneStep(now);
+      if (!state.isOver()) {
+        return;
+      }
+      last = now.begun.with(state, now.drive.picture());
+    } catch (RuntimeException | Error e) {
+      log.error("The exploration of {} failed.", now.begun.floor(), e);
+    }
+    end(now, last);
+  }
+
+  /** Drives a step, and has the next one done when it is time. */
+  private Exploration.State driveOneStep(Running now) {
+    long begin = System.nanoTime();
+    ExplorationDrive.State state = now.drive.step();
+    if (state != ExplorationDrive.State.DRIVING) {
+      return Exploration.State.valueOf(state.name());
+    }
+    now.steps++;
+    if (now.steps % PICTURE_STEPS == 0) {
+      latest.put(now.begun.floor(), now.begun.with(Exploration.State.RUNNING, now.drive.picture()));
+    }
+    double pace = speed.getAsDouble();
+    if (Double.isFinite(pace)) {
+      long end = System.nanoTime();
+      long rest = (long) ((end - begin) * (1 / SHARE - 1));
+      long due = now.dueNanos + (long) (1e9 * ExplorationDrive.STEP / pace);
+      now.dueNanos = Math.max(due, end + rest);
+      var _ = thread.schedule(() -> advance(now), now.dueNanos - end, TimeUnit.NANOSECONDS);
+    } else {
+      thread.execute(() -> advance(now));
+    }
+    return Exploration.State.RUNNING;
+  }
+
+  /** What was seen becomes the draft, if there is none but that of the beginning. */
+  private void end(Running now, Exploration last) {
+    CompletionStage<Answer<FloorDraft>> saved;
+    try {
+      saved = save(last, now.draft.revision(), now.draft.drawing(), last.user());
+    } catch (RuntimeException | Error e) {
+      saved = CompletableFuture.failedStage(e);
+    }
+    var _ =
+        saved
+            .thenApply(answer -> answer instanceof Answer.Accepted<FloorDraft>)
+            .toCompletableFuture()
+            .orTimeout(LIMIT.toMillis(), TimeUnit.MILLISECONDS)
+            .exceptionally(
+                e -> {
+                  log.warn("What was seen of {} is not stored: {}", last.floor(), e.toString());
+                  return false;
+                })
+            .thenAccept(
+                isSaved -> {
+                  Exploration ended =
+                      last.ended(
+                          clock.instant(),
+                          isSaved ? Exploration.Draft.SAVED : Exploration.Draft.NOT_SAVED);
+                  latest.put(last.floor(), ended);
+                  running.remove(last.floor());
+                  slot.release();
+                  now.end.complete(ended);
+                });
+  }
+
+  /**
+   * Ends the one of a floor: completed when what was seen is the draft, or cannot be.
+   *
+   * @return a conflict where none goes on
+   */
+  public CompletionStage<Answer<Exploration>> stop(String floor) {
+    Running now = running.get(floor);
+    if (now == null) {
+      return CompletableFuture.completedStage(
+          new Answer.Conflict<>(Phrase.EXPLORATION_RUNS_NOT.with(floor), null));
+    }
+    now.isStopped = true;
+    return now.end.thenApply(Answer.Accepted::new);
+  }
+
+  /** What was seen becomes the floor's draft now, in place of the one that somebody has drawn. */
+  public CompletionStage<Answer<Exploration>> draw(String floor, String user) {
+    Exploration last = latest.get(floor);
+    Optional<FloorDraft> draft = fleet.floorEditing().draft(floor);
+    if (last == null || draft.isEmpty() || !last.state().isOver()) {
+      return CompletableFuture.completedStage(
+          new Answer.Conflict<>(Phrase.EXPLORATION_NOTHING_TO_DRAW.with(floor), null));
+    }
+    return save(last, draft.get().revision(), draft.get().drawing(), user)
+        .thenApply(
+            answer -> {
+              if (!(answer instanceof Answer.Accepted<FloorDraft>)) {
+                return answer.asRejection();
+              }
+              Exploration saved = last.saved();
+              latest.replace(floor, last, saved);
+              return new Answer.Accepted<>(saved);
+            });
+  }
+
+  /**
+   * Makes what was seen the draft; places and areas stay as they are drawn.
+   *
+   * @param seen the revision that the draft has to have yet
+   */
+  private CompletionStage<Answer<FloorDraft>> save(
+      Exploration exploration, long seen, FloorDrawing drawing, String user) {
+    List<Vec2> places = drawing.places().map(Place::position).toList();
+    FloorDrawing drawn = drawing.withWalls(exploration.picture().seen().map(places));
+    return fleet.floorEditing().saveDraft(exploration.floor(), drawn, seen, user);
+  }
+
+  /** What goes on is stopped, and what it saw is kept as the draft. */
+  @Override
+  public void close() {
+    isClosed = true;
+    for (Running now : running.values()) {
+      try {
+        now.end.get(LIMIT.toMillis(), TimeUnit.MILLISECONDS);
+      } catch (InterruptedException e) {
+        Thread.currentThread().interrupt();
+      } catch (ExecutionException | TimeoutException e) {
+        log.warn("An exploration does not end.", e);
+      }
+    }
+    thread.shutdown();
+  }
+}
