@@ -18,7 +18,7 @@
   <title><c:out value="${title}"/> · <fmt:message key="product.name"/></title>
   <link rel="icon" type="image/svg+xml" href="${root}/assets/toqa.svg">
   <link rel="stylesheet" href="${root}/assets/pico/pico.blue.min.css">
-  <c:forTokens items="base,layout,pages,tables,timeline,users,statistics,laboratory,new-task,map,small-screens,editor,api,help,control,cameras,notices" delims="," var="part"><link rel="stylesheet" href="${root}/assets/css/${part}.css"></c:forTokens>
+  <c:forTokens items="base,layout,pages,tables,timeline,users,statistics,laboratory,exploration,new-task,map,small-screens,editor,api,help,control,cameras,notices" delims="," var="part"><link rel="stylesheet" href="${root}/assets/css/${part}.css"></c:forTokens>
   <c:if test="${not empty script or not empty caller}"><script type="module" src="${root}/assets/js/${empty script ? 'shared/live.js' : script}"></script></c:if>
   <c:if test="${not empty caller}"><script type="module" src="${root}/assets/js/notices/bell.js"></script></c:if>
   <script type="module" src="${root}/assets/js/shared/times.js"></script>

@@ -39,7 +39,7 @@
             <div class="choices">
               <a href="<c:out value="${mapUrl}"/>"><fmt:message key="floors.map"/></a>
               <a href="<c:out value="${root}/floors/${entry.segment()}/supervision"/>"><fmt:message key="supervision.link"/></a>
-              <c:if test="${caller.mayManage()}"><a href="<c:out value="${root}/floors/${entry.segment()}/edit"/>"><fmt:message key="floors.edit"/></a></c:if>
+              <c:if test="${caller.mayManage()}"><a href="<c:out value="${root}/floors/${entry.segment()}/edit"/>"><fmt:message key="floors.edit"/></a><a href="<c:out value="${root}/floors/${entry.segment()}/exploration"/>"><fmt:message key="floors.explore"/></a></c:if>
               <details class="or">
                 <summary><fmt:message key="floors.export"/></summary>
                 <a href="<c:out value="${root}/api/v1/floors/${entry.segment()}/export?format=ros"/>" download><fmt:message key="floors.export.ros"/></a><br>

@@ -15,6 +15,7 @@ import org.toqa.fleet.OrderArchive;
 import org.toqa.fleet.ScheduleStore;
 import org.toqa.fleet.TaskArchive;
 import org.toqa.fleet.TaskTraces;
+import org.toqa.fleet.exploration.Explorer;
 import org.toqa.fleet.history.EventArchive;
 import org.toqa.fleet.history.SceneStore;
 import org.toqa.fleet.history.SeenPlaces;
@@ -43,6 +44,7 @@ public record Services(
     SceneStore scenes,
     ScheduleStore schedules,
     Supervisor supervisor,
+    Explorer explorer,
     StatisticsArchive statistics,
     SeenPlaces seenPlaces,
     @Nullable Telemetry telemetry,

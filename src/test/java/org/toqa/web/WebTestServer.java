@@ -40,6 +40,7 @@ import org.toqa.app.lab.ExperimentProcess;
 import org.toqa.camera.Cameras;
 import org.toqa.fleet.EventRecord;
 import org.toqa.fleet.SnapshotFeed;
+import org.toqa.fleet.exploration.Explorer;
 import org.toqa.fleet.history.SeenPlaces;
 import org.toqa.fleet.supervision.Supervisor;
 import org.toqa.lab.record.Laboratory;
@@ -131,6 +132,8 @@ public final class WebTestServer implements AutoCloseable {
   private final JdbiSceneStore scenes;
   private final JdbiUtilisationStore uses;
   private final Laboratory laboratory;
+  private final Explorer explorer;
+  private volatile double explorationSpeed = Double.POSITIVE_INFINITY;
   private final Network network;
   private final Cameras cameras;
   private final Database database;
@@ -268,6 +271,8 @@ public final class WebTestServer implements AutoCloseable {
             new ExperimentProcess(),
             new Semaphore(1),
             InstantSource.system());
+    explorer =
+        new Explorer(fleet, new Semaphore(1), InstantSource.system(), () -> explorationSpeed);
     baseDir = Files.createTempDirectory("toqa-web-test");
     network =
         new Network(
@@ -304,6 +309,7 @@ public final class WebTestServer implements AutoCloseable {
             scenes,
             schedules,
             supervisor,
+            explorer,
             new JdbiStatisticsArchive(jdbi),
             seenPlaces,
             telemetry,
@@ -447,11 +453,21 @@ public final class WebTestServer implements AutoCloseable {
     }
     tomcat.stop();
     tomcat.destroy();
+    explorer.close();
     laboratory.close();
     network.close();
     cameras.close();
     database.close();
     delete(baseDir);
+  }
+
+  /**
+   * How fast floors are explored from the next step on.
+   *
+   * @param speed simulated seconds a second; infinite, as at first: as fast as it can
+   */
+  public void setExplorationSpeed(double speed) {
+    explorationSpeed = speed;
   }
 
   /** Its experiments run as those of a server do. */

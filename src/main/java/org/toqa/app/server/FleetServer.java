@@ -28,6 +28,7 @@ import org.toqa.fleet.Fleet;
 import org.toqa.fleet.FleetRules;
 import org.toqa.fleet.PeriodicWork;
 import org.toqa.fleet.SnapshotFeed;
+import org.toqa.fleet.exploration.Explorer;
 import org.toqa.fleet.history.SceneRecorder;
 import org.toqa.fleet.history.SeenPlaces;
 import org.toqa.fleet.history.SightingRecorder;
@@ -241,6 +242,9 @@ public final class FleetServer implements AutoCloseable {
     parts.push(supervisor);
     fleet.addWarning(supervisor::warning);
     fleet.showBoxes(supervisor::boxes);
+    Explorer explorer =
+        new Explorer(fleet, shared.explorations(), wallClock, () -> Explorer.WATCHED);
+    parts.push(explorer);
     JdbiTrackStore tracks = new JdbiTrackStore(database.jdbi());
     parts.push(new TrackRecorder(fleet.snapshots(), tracks));
     parts.push(new SceneRecorder(fleet.snapshots(), new JdbiSceneStore(database.jdbi())));
@@ -299,6 +303,7 @@ public final class FleetServer implements AutoCloseable {
             new JdbiSceneStore(database.readers()),
             schedules,
             supervisor,
+            explorer,
             new JdbiStatisticsArchive(database.readers()),
             seenPlaces,
             telemetry,

@@ -28,6 +28,7 @@ import org.toqa.web.RequestPath;
 import org.toqa.web.access.Permission;
 import org.toqa.web.api.BatteryResource;
 import org.toqa.web.api.CamerasResource;
+import org.toqa.web.api.ExplorationResource;
 import org.toqa.web.api.FleetResource;
 import org.toqa.web.api.FloorDraftResource;
 import org.toqa.web.api.FloorFilesResource;
@@ -75,6 +76,7 @@ import org.toqa.web.page.ApiDocumentPage;
 import org.toqa.web.page.CamerasPage;
 import org.toqa.web.page.ControlPage;
 import org.toqa.web.page.EditTaskPage;
+import org.toqa.web.page.ExplorationPage;
 import org.toqa.web.page.FirstStartPage;
 import org.toqa.web.page.FleetForms;
 import org.toqa.web.page.FloorEditorPage;
@@ -183,6 +185,10 @@ public final class Routes {
           get("/floors", VIEW, FloorsPage::show),
           post("/floors", MANAGE, FloorsPage::add).with(MULTIPART),
           get("/floors/{floor}/edit", MANAGE, FloorEditorPage::show),
+          get("/floors/{floor}/exploration", MANAGE, ExplorationPage::show),
+          post("/floors/{floor}/exploration", MANAGE, ExplorationPage::start),
+          post("/floors/{floor}/exploration/stop", MANAGE, ExplorationPage::stop),
+          post("/floors/{floor}/exploration/draw", MANAGE, ExplorationPage::draw),
           post("/floors/{floor}/delete", MANAGE, FloorsPage::remove),
           post("/floors/{floor}/seen/{id}/draw", MANAGE, FloorsPage::drawSeen),
           post("/floors/{floor}/seen/{id}/dismiss", MANAGE, FloorsPage::dismissSeen),
@@ -388,7 +394,11 @@ public final class Routes {
           post(
               "/api/v1/floors/{floor}/supervision/boxes/{box}/leave-out",
               OPERATE,
-              SupervisionResource::leaveOut));
+              SupervisionResource::leaveOut),
+          get("/api/v1/floors/{floor}/exploration", MANAGE, ExplorationResource::get),
+          post("/api/v1/floors/{floor}/exploration", MANAGE, ExplorationResource::start),
+          post("/api/v1/floors/{floor}/exploration/stop", MANAGE, ExplorationResource::stop),
+          post("/api/v1/floors/{floor}/exploration/draw", MANAGE, ExplorationResource::draw));
 
   private Routes() {}
 

@@ -63,6 +63,8 @@ final class FormAttacks {
           "/floors/{floor}/supervision/stop",
           "/floors/{floor}/supervision/look",
           "/floors/{floor}/supervision/boxes/{box}/leave-out",
+          "/floors/{floor}/exploration/stop",
+          "/floors/{floor}/exploration/draw",
           "/sites/{site}/visit",
           "/sites/{site}/delete");
 

@@ -145,6 +145,12 @@ final class FormCases {
                 Map.of("runs", "0"),
                 refused("experiment", "seed", "runs"))
             .answeredWith(422), // none is begun
+        FormCase.of(
+                "floors/{floor}/exploration",
+                "/floors/{floor}/exploration",
+                Map.of("robots", "0"),
+                refused("ground", "robots", "seed", "startX", "startY", "targetX", "targetY"))
+            .answeredWith(422), // none is begun
         FormCase.of("schedules", "/schedules/{id}/delete", Map.of(), Map.of("version", CONFLICT)),
         FormCase.of(
             "robots",

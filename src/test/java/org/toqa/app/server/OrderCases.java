@@ -237,6 +237,11 @@ final class OrderCases {
             "{'supervisor':'r9','workers':['r8'],'boxes':[{'box':1,'target':{'x':1,'y':1}}]}",
             Map.of("/supervisor", REFUSED, "/workers/0", REFUSED),
             422),
+        post( // none is begun
+            "floors/{floor}/exploration",
+            "{'ground':'scene:office','robots':0,'start':{'x':2,'y':2},'target':{'x':22,'y':14}}",
+            Map.of("/ground", REFUSED),
+            422),
         new OrderCase(
             "PUT", "users/{clerk}", json("{'role':'CLERK'}"), Map.of("/role", REFUSED), 200),
         post(

@@ -32,6 +32,7 @@ import org.toqa.grid.MapArchive;
 import org.toqa.testbed.Hall;
 import org.toqa.testbed.Views;
 import org.toqa.web.WebServerTest;
+import org.toqa.web.WebTestServer;
 import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.json.JsonMapper;
 
@@ -372,5 +373,94 @@ class ApiFloorsTest extends WebServerTest {
     server
         .seenPlaces()
         .observe(floor, Views.floorWith(floor.name(), List.of(obstacle)), List.of(), at);
+  }
+
+  @Test
+  void whatASwarmExploredBecomesTheDraft() {
+    post("floors", "{\"name\":\"New\",\"width\":3,\"height\":3,\"resolution\":0.3}", 201);
+    String path = "floors/New/exploration";
+    get("floors/none/exploration", 404);
+    get(path, 404);
+    assertEquals(403, clerk.get("api/v1/" + path).statusCode());
+    server.setExplorationSpeed(Double.POSITIVE_INFINITY);
+
+    JsonNode begun = post(path, order("scene:office", 1, 2, 22), 201);
+    assertEquals("NONE_YET", begun.get("draft").asString());
+    JsonNode end = explored(path);
+    assertEquals("REACHED", end.get("state").asString());
+    assertEquals("SAVED", end.get("draft").asString());
+    assertEquals(1, end.get("share").asDouble());
+    assertTrue(end.get("area").asDouble() > 100, () -> "seen: " + end.get("area"));
+
+    JsonNode draft = get("floors/New/draft", 200);
+    assertEquals(0.1, draft.at("/drawing/resolution").asDouble());
+    assertEquals(WebTestServer.MANAGER, draft.get("user").asString());
+    FloorMap published =
+        server.fleet().floors().stream()
+            .filter(f -> f.name().equals("New"))
+            .findFirst()
+            .orElseThrow();
+    assertEquals(0.3, published.grid().resolution(), "in force is what was");
+    assertEquals(409, status(path, order("scene:office", 1, 2, 22)), "a draft is there");
+    post("floors/New/draft/publish", "{\"revision\":" + draft.get("revision") + "}", 200);
+
+    server.setExplorationSpeed(1);
+    assertEquals("RUNNING", post(path, order("floor:New", 2, 2, 3), 201).get("state").asString());
+    assertEquals(409, status("floors/hall/exploration", order("scene:store", 1, 2, 28)));
+    assertEquals(409, status(path + "/draw", ""));
+    JsonNode now = get("floors/New/draft", 200);
+    String theirs = "{\"revision\":" + now.get("revision") + ",\"drawing\":" + DRAWING + "}";
+    answer(manager.sendJson("PUT", "api/v1/floors/New/draft", theirs), 200);
+    JsonNode stopped = post(path + "/stop", "", 200);
+    assertEquals("STOPPED", stopped.get("state").asString());
+    assertEquals("NOT_SAVED", stopped.get("draft").asString());
+    assertEquals(409, status(path + "/stop", ""));
+    assertEquals("SAVED", post(path + "/draw", "", 200).get("draft").asString());
+    JsonNode drawn = get("floors/New/draft", 200).get("drawing");
+    assertEquals(0.1, drawn.get("resolution").asDouble());
+    assertEquals("Dock \"A\"", drawn.at("/stations/0/name").asString(), "places are kept");
+  }
+
+  @Test
+  void wrongOrdersToExploreAreToldWhatIsWrong() {
+    String path = "floors/hall/exploration";
+    for (String[] wrong :
+        new String[][] {
+          {order("scene:moon", 1, 2, 22), "ground"},
+          {order("floor:none", 1, 2, 22), "ground"},
+          {order("scene:office", 0, 2, 22), "robots"},
+          {order("scene:office", 10, 2, 22), "robots"},
+          {order("scene:office", 1, 6.1, 22), "start"}, // a wall
+          {order("scene:office", 1, -2, 22), "start"},
+          {order("scene:office", 1, 2, 25), "target"},
+          {"{\"ground\":\"scene:office\",\"start\":{\"x\":2},\"target\":5,\"sed\":1}", "start.y"},
+        }) {
+      JsonNode problem = post(path, wrong[0], 422);
+      assertEquals(wrong[1], problem.at("/errors/0/field").asString(), problem::toString);
+      assertFalse(problem.at("/errors/0/detail").asString().isBlank(), problem::toString);
+    }
+    get(path, 404);
+  }
+
+  private static String order(String ground, int robots, double x, double toX) {
+    return """
+        {"ground":"%s","robots":%d,"start":{"x":%s,"y":2},"target":{"x":%s,"y":14}}\
+        """
+        .formatted(ground, robots, x, toX);
+  }
+
+  private int status(String path, String body) {
+    return manager.postJson("api/v1/" + path, body).statusCode();
+  }
+
+  /** When it has ended. */
+  private JsonNode explored(String path) {
+    Instant limit = Instant.now().plusSeconds(60);
+    JsonNode exploration = get(path, 200);
+    while (exploration.get("state").asString().equals("RUNNING")) {
+      assertTrue(Instant.now().isBefore(limit), "it does not end");
+      exploration = get(path, 200);
+    }
+    return exploration;
   }
 }

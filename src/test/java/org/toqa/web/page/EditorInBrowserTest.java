@@ -7,8 +7,10 @@ import com.google.gson.JsonArray;
 import com.google.gson.JsonObject;
 import com.microsoft.playwright.Browser;
 import com.microsoft.playwright.CDPSession;
+import com.microsoft.playwright.Locator;
 import com.microsoft.playwright.Page;
 import com.microsoft.playwright.Route;
+import com.microsoft.playwright.options.AriaRole;
 import com.microsoft.playwright.options.FilePayload;
 import java.awt.image.BufferedImage;
 import java.io.ByteArrayOutputStream;
@@ -286,6 +288,72 @@ class EditorInBrowserTest extends PagesInBrowser {
         .setInputFiles(new FilePayload("plan.png", "image/png", new byte[9]));
     page.locator("#import").click();
     assertThat(page.locator("#import-said")).containsText("is not a readable PNG picture");
+  }
+
+  @Test
+  void aFloorWithoutAMapIsExploredMendedAndPublished() {
+    Page page = loggedIn(WebTestServer.MANAGER, DESK, "floors");
+    page.locator("#name").fill("Unknown");
+    button(page, "Add floor").click();
+    click(page.locator("tbody tr").nth(1).getByText("Explore"));
+    page.locator("#robots").fill("12");
+    page.locator("#startX").fill("6");
+    assertFits(page, "exploration-form", PHONE, DESK);
+    button(page, "Start exploration").click();
+    assertThat(page.locator("#robots-help")).hasText("Enter a whole number from 1 to 9.");
+    page.locator("#robots").fill("4");
+    button(page, "Start exploration").click();
+    assertThat(page.locator("#startX-help")).containsText("There is no room here for 4 robots");
+
+    server.setExplorationSpeed(2);
+    page.locator("#startX").fill("2");
+    button(page, "Start exploration").click();
+    assertThat(page.locator("#exploration .state")).hasText("Exploring");
+    Locator driven = page.locator("[data-fact=driven]");
+    assertThat(driven).not().hasText("");
+    String first = driven.textContent();
+    Object before = sceneOf(page);
+    assertThat(driven).not().hasText(first); // the page looks by itself
+    await(page, () -> !sceneOf(page).equals(before));
+    assertFits(page, "exploration-running", PHONE, DESK);
+    server.setExplorationSpeed(Double.POSITIVE_INFINITY);
+    assertThat(page.locator("#exploration .state")).hasText("Target reached");
+    assertThat(page.getByRole(AriaRole.STATUS)).containsText("What was seen is the draft");
+    assertFits(page, "exploration", PHONE, DARK, DESK);
+    List<String> faults = new ArrayList<>(Accessibility.faults(page, "exploration"));
+    page.navigate(server.root() + "language/ar?back=/floors/Unknown/exploration");
+    assertThat(page.locator("#exploration .state")).hasText("بلغ الهدف");
+    assertFits(page, "exploration-ar", PHONE, DESK);
+    faults.addAll(Accessibility.faults(page, "exploration in Arabic"));
+    assertEquals(List.of(), faults);
+    page.navigate(server.root() + "language/en?back=/floors/Unknown/exploration");
+
+    click(page.getByText("Open it in the editor"));
+    assertThat(page.locator("#save-state")).hasText("Draft saved");
+    FloorDrawing explored = draft("Unknown").drawing();
+    tool(page, "stations");
+    click(page, 3.05, 1.05);
+    await(page, () -> draft("Unknown").drawing().stations().size() == 1);
+    page.locator("#publish").click();
+    page.locator("#publish-sure").click();
+    assertThat(page.locator("#problems-summary")).hasText("Published. The drawing is in force.");
+    assertEquals(explored.walls(), floor("Unknown").drawing().walls());
+
+    server.setExplorationSpeed(1);
+    page.navigate(server.root() + "floors/hall/exploration");
+    page.locator("#ground").selectOption("floor:Unknown");
+    button(page, "Start exploration").click();
+    saveElsewhere(floor("hall").drawing().withStations(List.of()));
+    click(page.locator("main").getByText("Stop", exactly()));
+    assertThat(page.locator("#exploration .state")).hasText("Stopped");
+    assertThat(page.locator("#exploration")).containsText("Somebody has drawn on this floor");
+    click(page.getByText("Replace the walls of the draft"));
+    assertThat(page.getByRole(AriaRole.STATUS)).containsText("What was seen is the draft");
+    awaitDraft(drawing -> drawing.walls().resolution() == 0.1 && drawing.stations().isEmpty());
+  }
+
+  private static Object sceneOf(Page page) {
+    return page.evaluate("document.querySelector('canvas.exploration').toDataURL()");
   }
 
   /** Of 40 x 20 cells, the western quarter dark. */
