@@ -7,6 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.BitSet;
 import java.util.List;
 import java.util.Random;
+import java.util.Set;
 import java.util.TreeSet;
 import net.jqwik.api.Example;
 import net.jqwik.api.ForAll;
@@ -66,7 +67,7 @@ class EvidenceGridPropertyTest {
       @ForAll @DoubleRange(min = 0, max = 2) double x,
       @ForAll @DoubleRange(min = 0, max = 2) double y,
       @ForAll @DoubleRange(min = -3.1, max = 3.1) double direction) {
-    TreeSet<String> walked = new TreeSet<>();
+    Set<String> walked = new TreeSet<>();
     RayCast.walk(
         CELL,
         new Vec2(x, y),
@@ -78,7 +79,7 @@ class EvidenceGridPropertyTest {
           }
           return true;
         });
-    TreeSet<String> sampled = new TreeSet<>();
+    Set<String> sampled = new TreeSet<>();
     Vec2 along = new Vec2(1, 0).rotated(direction);
     for (int i = 0; i < 100_000; i++) {
       Vec2 at = new Vec2(x, y).plus(along.times(i / 100_000.0));
@@ -89,8 +90,8 @@ class EvidenceGridPropertyTest {
   }
 
   /** Beside a corner a point may lie in a cell that the ray passes for less than a micrometre. */
-  private static boolean missesByRounding(TreeSet<String> walked, TreeSet<String> sampled) {
-    TreeSet<String> missed = new TreeSet<>(sampled);
+  private static boolean missesByRounding(Set<String> walked, Set<String> sampled) {
+    Set<String> missed = new TreeSet<>(sampled);
     missed.removeAll(walked);
     return missed.size() <= 1;
   }

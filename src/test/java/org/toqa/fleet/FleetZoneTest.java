@@ -98,6 +98,76 @@ class FleetZoneTest {
     assertEquals(List.of(), rooms());
   }
 
+  @Test
+  void whoFallsSilentInItKeepsItUntilHeard() throws Exception {
+    long task = untilSilentInIt();
+    long other = submit("r2", new Vec2(13.5, 2.5), new Vec2(2.5, 2.5));
+    stage.await(view -> isInState(view, other, TaskState.CARRYING));
+    stage.pass(Duration.ofMinutes(2)); // long after its task would have gone to another
+    assertOnlyTheSilentOneHasIt();
+
+    robot().setStuck(false);
+    robot().speakAgain();
+    stage.await(view -> HallFleetTest.task(view, task).state() == TaskState.DONE);
+    stage.await(view -> isInState(view, other, TaskState.DONE));
+  }
+
+  @Test
+  void whoFallsSilentInItKeepsItUntilAPersonSaysThatItIsGone() throws Exception {
+    untilSilentInIt();
+    long other = submit("r2", new Vec2(13.5, 2.5), new Vec2(2.5, 2.5));
+    stage.await(view -> isInState(view, other, TaskState.CARRYING));
+    stage.restart(); // a server that starts anew knows it no better
+    stage.pass(Duration.ofMinutes(2));
+    assertOnlyTheSilentOneHasIt();
+
+    HallFleetTest.accepted(stage.fleet.takeOutOfService("r1", "Max"));
+    stage.await(view -> isInState(view, other, TaskState.DONE));
+  }
+
+  /** Also before it is shown. */
+  private static boolean isInState(FleetSnapshot view, long task, TaskState state) {
+    return view.tasks().stream().anyMatch(t -> t.id() == task && t.state() == state);
+  }
+
+  /** The task of r1, which stands in the zone and is not heard. */
+  private long untilSilentInIt() throws Exception {
+    stage.add("r2", new Vec2(13.5, 0.5), null);
+    long task = drive(true);
+    stage.await(_ -> isStored() && robot().position().x() > 6);
+    robot().setStuck(true);
+    robot().fallSilent();
+    stage.await(view -> HallFleetTest.robot(view, "r1").state() == RobotState.LOST);
+    return task;
+  }
+
+  private void assertOnlyTheSilentOneHasIt() throws Exception {
+    assertTrue(isStored());
+    Vec2 waits = stage.scriptedRobot("r2").position();
+    assertTrue(waits.x() > 11, () -> "r2 is at " + waits);
+    stage.await(view -> HallFleetTest.robot(view, "r2").work().doing().english().contains("r1"));
+  }
+
+  private long submit(String robot, Vec2 from, Vec2 to) throws Exception {
+    TaskOrder order =
+        new TaskOrder(
+            "other box",
+            1,
+            new Where.Point(from),
+            new Where.Point(to),
+            null,
+            0,
+            null,
+            null,
+            List.of(robot),
+            List.of(),
+            null);
+    return ((Answer.Accepted<TaskView>)
+            stage.fleet.submit(order, "Clara").toCompletableFuture().get(10, TimeUnit.SECONDS))
+        .value()
+        .id();
+  }
+
   private ScriptedRobot robot() {
     return stage.scriptedRobot("r1");
   }

@@ -25,6 +25,7 @@ import org.toqa.fleet.RobotView;
 import org.toqa.grid.FloorDrawing;
 import org.toqa.grid.FloorMap;
 import org.toqa.grid.Moves;
+import org.toqa.grid.OccupancyGrid;
 import org.toqa.testbed.MapCanvas;
 import org.toqa.web.WebTestServer;
 
@@ -332,7 +333,10 @@ class EditorInBrowserTest extends PagesInBrowser {
     assertThat(page.locator("#save-state")).hasText("Draft saved");
     FloorDrawing explored = draft("Unknown").drawing();
     tool(page, "stations");
-    click(page, 3.05, 1.05);
+    OccupancyGrid walls = explored.walls();
+    MapCanvas.ofEditor(
+            page, walls.width() * walls.resolution(), walls.height() * walls.resolution())
+        .click(3.05 - walls.origin().x(), 2.05 - walls.origin().y());
     await(page, () -> draft("Unknown").drawing().stations().size() == 1);
     page.locator("#publish").click();
     page.locator("#publish-sure").click();
