@@ -71,11 +71,7 @@ public final class Explorer implements AutoCloseable {
   private final ScheduledThreadPoolExecutor thread =
       new ScheduledThreadPoolExecutor(
           1,
-          Thread.ofPlatform()
-              .daemon()
-              .name("exploration")
-              .priority(Thread.MIN_PRIORITY)
-              .factory());
+          Thread.ofPlatform().daemon().name("exploration").priority(Thread.MIN_PRIORITY).factory());
   private volatile boolean isClosed;
 
   /** One that goes on; driven by the thread alone. */
