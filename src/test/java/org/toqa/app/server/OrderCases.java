@@ -31,7 +31,7 @@ final class OrderCases {
 
   private static final String DRIVE =
       """
-      {"name":"Look","kind":"DRIVE","stops":[{"station":"Mill"},{"charge":{"charger":"C1"}}]}\
+      {"name":"Look","kind":"DRIVE","stops":[{"charge":{"charger":"C1"}}]}\
       """;
 
   private static final String DRAWING =
@@ -71,14 +71,9 @@ final class OrderCases {
             204),
         post("tasks", TASK, task(""), 201),
         post("tasks", TOUR, Map.of("/stops/0/station", REFUSED), 201),
-        post(
-            "tasks",
-            DRIVE,
-            Map.of(
-                "/kind", REFUSED,
-                "/stops/0/station", REFUSED,
-                "/stops/1/charge/charger", REFUSED),
-            201),
+        post("tasks", DRIVE, drive(""), 201),
+        post("tasks/preview", DRIVE, drive(""), 200),
+        new OrderCase("PUT", "tasks/{waiting}", DRIVE, drive(""), 200),
         post("tasks/preview", TASK, task(""), 200),
         post("tasks/preview", TOUR, Map.of("/stops/0/station", REFUSED), 200),
         new OrderCase("PUT", "tasks/{waiting}", TOUR, Map.of("/stops/0/station", REFUSED), 200),
@@ -115,6 +110,11 @@ final class OrderCases {
             "schedules",
             "{'task':" + TOUR + ",'from':'2099-01-01T10:00:00Z','everyMinutes':60}",
             Map.of("/task/stops/0/station", REFUSED),
+            201),
+        post(
+            "schedules",
+            "{'task':" + DRIVE + ",'from':'2099-01-01T10:00:00Z','everyMinutes':60}",
+            drive("/task"),
             201),
         post(
             "schedules",
@@ -293,6 +293,10 @@ final class OrderCases {
       words.put("/drawing/" + kind + "/0/approach", REFUSED);
     }
     return words;
+  }
+
+  private static Map<String, Verdict> drive(String at) {
+    return Map.of(at + "/kind", REFUSED, at + "/stops/0/charge/charger", REFUSED);
   }
 
   private static Map<String, Verdict> task(String at) {
