@@ -20,7 +20,7 @@ addEventListener('DOMContentLoaded', () =>
   globalThis.SwaggerUIBundle({
     url: address('api/v1/openapi.json').href,
     domNode: place,
-    docExpansion: 'list',
+    docExpansion: 'none', // of more than 140 in a list only those on the screen would be drawn
     defaultModelsExpandDepth: -1, // each is shown where it is used
     validatorUrl: null,
     requestInterceptor: withToken,

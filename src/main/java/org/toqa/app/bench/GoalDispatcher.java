@@ -21,6 +21,9 @@ import org.toqa.mission.TransportTask;
  * where its last task leaves it.
  */
 final class GoalDispatcher {
+  /** Kilograms; without a load it would be a drive, which nothing is fetched for. */
+  private static final double LOAD = 1;
+
   private final GoalSource source;
   private final Function<Cell, Vec2> centre;
   private final String floor;
@@ -98,7 +101,7 @@ final class GoalDispatcher {
             new TransportTask(
                 id,
                 "task " + id,
-                0,
+                LOAD,
                 new TaskPlace(centre.apply(start), null),
                 new TaskPlace(centre.apply(goal), null),
                 floor,

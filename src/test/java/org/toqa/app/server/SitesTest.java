@@ -282,6 +282,7 @@ class SitesTest {
       wanted.put("{name}", SECRET + "-robot");
       wanted.put("{reading}", "range");
       wanted.put("{topic}", "tasks");
+      wanted.put("{box}", "1");
       wanted.put("{session}", "1");
       wanted.put("{site}", "main");
     }

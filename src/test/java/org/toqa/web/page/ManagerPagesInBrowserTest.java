@@ -505,6 +505,7 @@ class ManagerPagesInBrowserTest extends PagesInBrowser {
   @Test
   void theApiIsTriedOutOnItsPage() {
     Page page = loggedIn(WebTestServer.MANAGER, DESK, "api");
+    page.locator(".opblock-tag").getByText("Floors and fleet", exactly()).click();
     Locator pause =
         page.locator(".opblock-post")
             .filter(new Locator.FilterOptions().setHasText("/api/v1/fleet/pause"));

@@ -80,6 +80,7 @@ class OrdersInBrowserTest extends PagesInBrowser {
   void whereARobotStandsIsSaidOnThePageOfTheApi() {
     assertEquals(RobotState.NOT_LOCALISED, robot("r4").state());
     Page page = loggedIn(WebTestServer.MANAGER, DESK, "api");
+    page.locator(".opblock-tag").getByText("Robots", exactly()).click();
     Locator locate =
         page.locator(".opblock-post")
             .filter(new Locator.FilterOptions().setHasText("/api/v1/robots/{name}/locate"));
