@@ -90,7 +90,9 @@ public final class RobotNetwork implements AutoCloseable {
     ip("link set %s down".formatted(cable(robot)));
   }
 
+  /** What waited here for the robot's answer, to be sent to it, is not sent any more. */
   public void mend(int robot) throws IOException, InterruptedException {
+    ip("neigh flush dev %s to %s".formatted(SWITCH, address(robot)));
     ip("link set %s up".formatted(cable(robot)));
   }
 
