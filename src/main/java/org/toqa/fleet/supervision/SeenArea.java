@@ -23,8 +23,6 @@ import org.toqa.grid.RayCast;
  * look next is the nearest place from which something unseen is in view. For one thread.
  */
 final class SeenArea {
-  private static final int LEAST_RAYS = 360;
-
   /** Metres: a view from there must come so much nearer than cameras see. */
   private static final double CERTAIN = 0.9;
 
@@ -34,6 +32,9 @@ final class SeenArea {
   private final OccupancyGrid walls;
   private final OccupancyGrid drivable;
   private final BitSet seen;
+
+  /** Views that did not show what they should, or could not be reached. */
+  private final BitSet givenUp = new BitSet();
 
   /**
    * @param clearance metres between a robot's middle and walls
@@ -45,31 +46,20 @@ final class SeenArea {
     seen = unpack(text);
   }
 
-  /** Looks all round; whether there was anything new. */
-  boolean look(Vec2 from, double range) {
-    int before = seen.cardinality();
-    double step = walls.resolution() / 2;
-    int rays = (int) Math.max(LEAST_RAYS, Math.ceil(2 * Math.PI * range / step));
-    for (int i = 0; i < rays; i++) {
-      double angle = 2 * Math.PI * i / rays;
-      double reach = RayCast.distance(walls, from, angle, range);
-      Vec2 along = new Vec2(Math.cos(angle), Math.sin(angle));
-      for (double d = 0; d < reach; d += step) {
-        mark(walls.cellAt(from.plus(along.times(d))));
-      }
-    }
-    return seen.cardinality() > before;
-  }
-
-  private void mark(Cell cell) {
-    if (walls.contains(cell) && walls.isFree(cell)) {
-      seen.set(walls.index(cell));
-    }
+  /**
+   * Looks all round: a cell is seen whose middle is in view, and which is within the range as a
+   * whole.
+   *
+   * @param range metres that cameras see
+   */
+  void look(Vec2 from, double range) {
+    seen.or(inView(from, range - walls.resolution() / Math.sqrt(2), unseen()));
   }
 
   /** What was seen counts no more: something is not where it was. */
   void forget() {
     seen.clear();
+    givenUp.clear();
   }
 
   /** Whether everything that can be seen was. */
@@ -126,32 +116,41 @@ final class SeenArea {
     return Optional.empty();
   }
 
-  /** Whether something unseen is in view from the middle of a cell. */
+  /** Whether something unseen is to be seen from there. */
+  boolean isView(Vec2 place, double range) {
+    return isView(drivable.cellAt(place), unseen(), range * CERTAIN);
+  }
+
   private boolean isView(Cell cell, BitSet unseen, double range) {
-    if (!drivable.contains(cell) || !drivable.isFree(cell)) {
-      return false;
-    }
-    Vec2 from = drivable.centre(cell);
-    int reach = (int) (range / walls.resolution());
-    for (int row = cell.row() - reach; row <= cell.row() + reach; row++) {
-      for (int column = cell.column() - reach; column <= cell.column() + reach; column++) {
-        if (walls.contains(column, row) && unseen.get(row * walls.width() + column)) {
+    return drivable.contains(cell)
+        && drivable.isFree(cell)
+        && !givenUp.get(drivable.index(cell))
+        && !inView(drivable.centre(cell), range, unseen).isEmpty();
+  }
+
+  /** Those of some cells whose middle is in view. */
+  private BitSet inView(Vec2 from, double range, BitSet cells) {
+    BitSet inView = new BitSet();
+    Cell middle = walls.cellAt(from);
+    int reach = (int) Math.ceil(range / walls.resolution());
+    for (int row = middle.row() - reach; row <= middle.row() + reach; row++) {
+      for (int column = middle.column() - reach; column <= middle.column() + reach; column++) {
+        if (walls.contains(column, row) && cells.get(row * walls.width() + column)) {
           Vec2 way = walls.centre(new Cell(column, row)).minus(from);
           double metres = way.norm();
           if (metres <= range
               && RayCast.distance(walls, from, way.angle(), metres) >= metres - 1e-9) {
-            return true;
+            inView.set(row * walls.width() + column);
           }
         }
       }
     }
-    return false;
+    return inView;
   }
 
-  /** There is nothing to be seen round a place that was looked at from near. */
-  void giveUpRound(Vec2 place, double range) {
-    int reach = (int) Math.ceil(range / walls.resolution());
-    walls.cellsAround(place, reach).forEach(this::mark);
+  /** From that place nothing more can be seen; from others it may. */
+  void giveUp(Vec2 view) {
+    givenUp.set(drivable.index(drivable.cellAt(view)));
   }
 
   /** For the store: the cells that were seen, packed; empty where that is too long. */

@@ -81,7 +81,7 @@ public final class Supervisor implements AutoCloseable {
   private static final Duration SEEN_PERIOD = Duration.ofSeconds(2);
 
   /** Metres: it has come there. */
-  private static final double ARRIVED = 0.3;
+  private static final double ARRIVED = 0.1;
 
   /** A level of priority counts as a minute of waiting: before all boxes for one. */
   private static final int FOR_TWO = 60;
@@ -634,17 +634,17 @@ public final class Supervisor implements AutoCloseable {
     }
     Vec2 view = watch.view;
     Instant at = fleetClock.instant();
-    if (view != null && place.distanceTo(view) < ARRIVED) {
-      view = null;
-    } else if (view != null && at.isAfter(watch.sentAt.plus(DRIVE_LIMIT))) {
-      watch.seen.giveUpRound(view, range);
+    if (view != null && !watch.seen.isView(view, range)) {
+      view = null; // what it should show was seen on the way
+    } else if (view != null
+        && (place.distanceTo(view) < ARRIVED || at.isAfter(watch.sentAt.plus(DRIVE_LIMIT)))) {
+      watch.seen.giveUp(view);
       view = null;
     }
     if (view == null) {
       Optional<Vec2> next = watch.seen.nextView(place, range);
-      if (next.isPresent() && next.get().distanceTo(place) < ARRIVED) {
-        watch.seen.giveUpRound(next.get(), range); // it stands there, and sees no more
-      } else if (next.isPresent()) {
+      watch.view = null;
+      if (next.isPresent()) {
         watch.view = next.get();
         watch.sentAt = at;
         await(fleet.sendTo(robot.name(), next.get()));
