@@ -51,36 +51,6 @@ public record FloorView(
     boxes = List.copyOf(boxes);
   }
 
-  /** Of a floor where no supervisor knows of a box. */
-  public FloorView(
-      String name,
-      @Nullable Hold hold,
-      CellRuns obstacles,
-      Map<String, CellRuns> silentRobotCells,
-      List<StandstillView> standstills,
-      List<FaultyCharger> faultyChargers,
-      List<LeftLoad> leftLoads,
-      @Nullable ChargerShortage chargerShortage,
-      List<SeenObstacle> seen,
-      List<HeldLoad> heldLoads,
-      List<ZoneView> zones,
-      String map) {
-    this(
-        name,
-        hold,
-        obstacles,
-        silentRobotCells,
-        standstills,
-        faultyChargers,
-        leftLoads,
-        chargerShortage,
-        seen,
-        heldLoads,
-        zones,
-        map,
-        List.of());
-  }
-
   public FloorView withZones(List<ZoneView> next) {
     return new FloorView(
         name,

@@ -47,7 +47,8 @@ public final class Views {
         List.of(),
         List.of(),
         List.of(),
-        Hall.floor().version());
+        Hall.floor().version(),
+        List.of());
   }
 
   /** A floor where robots see these, and nothing else is. */
@@ -64,7 +65,8 @@ public final class Views {
         seen,
         List.of(),
         List.of(),
-        Hall.floor().version());
+        Hall.floor().version(),
+        List.of());
   }
 
   /** A task with its own load, which is where it was when the task was ordered. */

@@ -147,7 +147,8 @@ final class FloorWatch {
         obstacles.views(),
         heldLoads,
         List.of(),
-        floor.version());
+        floor.version(),
+        List.of());
   }
 
   private Sentence sentence(Obstacle obstacle) {

@@ -160,7 +160,8 @@ class MapInBrowserTest extends PagesInBrowser {
                 List.of(
                     new FloorView.ZoneView("r1", new Vec2(0, 0), new Vec2(6, 8)),
                     new FloorView.ZoneView("r2", new Vec2(6, 0), new Vec2(12, 8))),
-                Hall.floor().version()));
+                Hall.floor().version(),
+                List.of()));
 
     await(page, () -> !pictureOf(page).equals(before));
     Object withoutMargins = pictureOf(page);
