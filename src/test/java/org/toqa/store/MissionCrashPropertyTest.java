@@ -3,6 +3,8 @@ package org.toqa.store;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.time.Instant;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.UUID;
@@ -13,6 +15,7 @@ import net.jqwik.api.Property;
 import net.jqwik.api.Provide;
 import net.jqwik.api.lifecycle.AfterProperty;
 import net.jqwik.api.lifecycle.BeforeProperty;
+import org.toqa.fleet.EventRecord;
 import org.toqa.fleet.FleetStore.OpenTask;
 import org.toqa.fleet.FleetStore.Submission;
 import org.toqa.fleet.RobotRecord;
@@ -46,7 +49,8 @@ class MissionCrashPropertyTest {
 
   /**
    * One life knows only what it last read: after each change it is stored, and what goes on is what
-   * a new store reads. The other is never interrupted. They stay the same.
+   * a new store reads. The other is never interrupted. They stay the same, and all that happened is
+   * in the task's history, once and in its order.
    */
   @Property(tries = 200)
   void whatIsReadAfterACrashIsWhatWasLived(
@@ -60,15 +64,21 @@ class MissionCrashPropertyTest {
   private void liveTwice(TransportTask task, List<MissionEvent> events) {
     Mission lived = Mission.queued(task);
     Mission read = open(task).orElseThrow();
+    List<String> told = new ArrayList<>(history(task));
     for (MissionEvent event : events) {
       lived = MissionEvents.givenToRobots(lived).apply(event).mission();
-      Mission next = MissionEvents.givenToRobots(read).apply(event).mission();
+      Mission.Step step = MissionEvents.givenToRobots(read).apply(event);
+      Mission next = step.mission();
       if (next.equals(read)) {
         assertEquals(lived, read);
         continue;
       }
-      new JdbiFleetStore(database.jdbi()).saveMission(next, FleetDatabaseTest.AT, List.of());
+      Instant at = FleetDatabaseTest.AT.plusSeconds(told.size());
+      List<EventRecord> lines = EventRecord.of(step, event, at);
+      lines.forEach(line -> told.add(line.kind() + ": " + line.text()));
+      new JdbiFleetStore(database.jdbi()).saveMission(next, at, lines);
       crashes++;
+      assertEquals(told, history(task));
       if (next.state().isEnded()) {
         assertEquals(Optional.empty(), open(task));
         assertEquals(lived.state(), state(task));
@@ -92,6 +102,11 @@ class MissionCrashPropertyTest {
             .map(OpenTask::mission)
             .filter(mission -> mission.task().id() == task.id())
             .findFirst();
+  }
+
+  private List<String> history(TransportTask task) {
+    return new JdbiFleetStore(database.jdbi())
+        .history(task.id()).stream().map(line -> line.kind() + ": " + line.text()).toList();
   }
 
   private Object state(TransportTask task) {
