@@ -50,7 +50,12 @@ final class RobotConnection implements AutoCloseable {
   /** A line that was read already, to see whether it supersedes the one before. */
   private LineReader.@Nullable Line ahead;
 
+  private boolean hasGreeted;
   private long unreadable;
+
+  /** What was wrong with the last line that was unreadable. */
+  private String fault = "";
+
   private long unreadableLogged = System.nanoTime() - UNREADABLE_LOG_INTERVAL.toNanos();
 
   /**
@@ -102,6 +107,7 @@ final class RobotConnection implements AutoCloseable {
     if (objection.isPresent()) {
       throw LinkException.trustFailure(objection.get());
     }
+    hasGreeted = true;
     return hello;
   }
 
@@ -115,17 +121,24 @@ final class RobotConnection implements AutoCloseable {
       if (hasWaited && channel.peer() == null && unreadable == 0) {
         throw LinkException.trustFailure(Phrase.SAYS_NOTHING.with(robot, hostAndPort));
       }
-      if (unreadable > 0) {
-        throw new LinkException(Phrase.SAYS_NO_HELLO.with(hostAndPort, robot));
-      }
       throw e;
     }
   }
 
   /**
+   * Of a first line that cannot be understood: what is wrong with it, where it is a message at all.
+   */
+  private Sentence objectionToFirst(LineReader.Line line) {
+    return line instanceof LineReader.Text(byte[] utf8) && utf8.length > 0 && utf8[0] == '{'
+        ? Phrase.SAYS_WRONG_HELLO.with(robot, hostAndPort, fault)
+        : Phrase.SAYS_NO_HELLO.with(hostAndPort, robot);
+  }
+
+  /**
    * The next valid message, of several states that have come the newest; waits for it.
    *
-   * @throws LinkException if the connection ends, or nothing comes for too long
+   * @throws LinkException if the connection ends, nothing comes for too long, or what comes first
+   *     cannot be understood
    */
   Received readNext() throws LinkException {
     int superseded = 0;
@@ -146,6 +159,9 @@ final class RobotConnection implements AutoCloseable {
         AgentMessage message = decode(line);
         if (message != null) {
           return new Received(message, superseded, (int) (unreadable - readable));
+        }
+        if (!hasGreeted) {
+          throw new LinkException(objectionToFirst(line));
         }
       }
     } catch (SocketTimeoutException e) {
@@ -217,6 +233,7 @@ final class RobotConnection implements AutoCloseable {
   /** Of many lines a few. */
   private void logUnreadable(String reason) {
     unreadable++;
+    fault = reason;
     long now = System.nanoTime();
     if (now - unreadableLogged >= UNREADABLE_LOG_INTERVAL.toNanos()) {
       log.warn("{}: a line of the robot was ignored, number {}: {}", robot, unreadable, reason);

@@ -139,6 +139,19 @@ class TcpRobotLinkTest {
   }
 
   @Test
+  void robotIsToldWhatItsHelloLacks() throws Exception {
+    try (Socket socket = robot.accept()) {
+      say(socket, HELLO.replace("\"role\":\"ALONE\"", "\"role\":null"));
+
+      assertEquals(
+          "The first line of r1 at 127.0.0.1:%d cannot be understood: The field \"role\" of the hello is missing or of the wrong kind. Correct its program."
+              .formatted(robot.getLocalPort()),
+          heard.await(LinkRecorder.End.class).sentence());
+      assertNull(line(socket), "the connection is closed");
+    }
+  }
+
+  @Test
   void whatIsNoRobotIsNotCalledSilent() throws Exception {
     try (Socket socket = robot.accept()) {
       say(socket, "SSH-2.0-OpenSSH_9.9");
