@@ -168,10 +168,10 @@ public final class HttpRobotCodec {
       }
       ranges.add(range.asDouble());
     }
-    if (!list.isArray() || ranges.size() != RANGES) {
+    if (!list.isArray() || !(ranges.isEmpty() || ranges.size() == RANGES)) {
       throw nonsense("ranges", "three numbers from 0 to 100");
     }
-    return ranges;
+    return ranges.isEmpty() ? null : ranges;
   }
 
   private static List<RobotError> errors(JsonNode json) throws HttpRobotException {

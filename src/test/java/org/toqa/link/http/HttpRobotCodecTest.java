@@ -2,6 +2,7 @@ package org.toqa.link.http;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -90,6 +91,14 @@ class HttpRobotCodecTest {
 
     assertEquals(Reason.NONSENSE, refused.reason());
     assertTrue(String.valueOf(refused.getMessage()).startsWith(sentence), refused.getMessage());
+  }
+
+  @Test
+  void emptyListOfRangesIsThatOfARobotWithoutSensors() throws Exception {
+    byte[] body =
+        REPORT.replace("\"battery\":0.5", "\"ranges\":[]").getBytes(StandardCharsets.UTF_8);
+
+    assertNull(HttpRobotCodec.decodeReport(body).ranges());
   }
 
   @Test
