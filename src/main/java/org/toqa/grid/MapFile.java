@@ -1,15 +1,19 @@
 package org.toqa.grid;
 
 import java.io.IOException;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
+import java.util.List;
 
 /**
  * One of the files that a map is made of, on a disk or in an archive. As a text it is what messages
  * call it.
  */
 sealed interface MapFile {
+  /** A character for each of its bytes. */
+  String BYTE_ORDER_MARK = "\u00EF\u00BB\u00BF";
 
   /** What it is called, without folders. */
   String name();
@@ -25,6 +29,19 @@ sealed interface MapFile {
    * @param limit bytes that it may have
    */
   byte[] read(long limit) throws MapFormatException;
+
+  /**
+   * The lines of a text, a character for each byte, without the byte order mark that editors put
+   * before UTF-8.
+   *
+   * @param limit bytes that it may have
+   */
+  default List<String> readLines(long limit) throws MapFormatException {
+    String text = new String(read(limit), StandardCharsets.ISO_8859_1);
+    return (text.startsWith(BYTE_ORDER_MARK) ? text.substring(BYTE_ORDER_MARK.length()) : text)
+        .lines()
+        .toList();
+  }
 
   static MapFile of(Path path) {
     return new OnDisk(path);

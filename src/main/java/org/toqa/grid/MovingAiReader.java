@@ -1,6 +1,5 @@
 package org.toqa.grid;
 
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.BitSet;
 import java.util.List;
@@ -21,8 +20,7 @@ public final class MovingAiReader {
   }
 
   static OccupancyGrid read(MapFile file) throws MapFormatException {
-    byte[] bytes = file.read(MapLimits.MAX_MAP_BYTES);
-    List<String> lines = new String(bytes, StandardCharsets.ISO_8859_1).lines().toList();
+    List<String> lines = file.readLines(MapLimits.MAX_MAP_BYTES);
     expect(file, lines, 0, "type octile");
     int height = size(file, lines, 1, "height");
     int width = size(file, lines, 2, "width");

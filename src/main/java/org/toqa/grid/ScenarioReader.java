@@ -1,6 +1,5 @@
 package org.toqa.grid;
 
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
@@ -16,8 +15,7 @@ public final class ScenarioReader {
   private ScenarioReader() {}
 
   public static List<Scenario> read(Path file) throws MapFormatException {
-    byte[] bytes = MapFile.of(file).read(MapLimits.MAX_MAP_BYTES);
-    List<String> lines = new String(bytes, StandardCharsets.ISO_8859_1).lines().toList();
+    List<String> lines = MapFile.of(file).readLines(MapLimits.MAX_MAP_BYTES);
     if (lines.isEmpty() || !lines.getFirst().strip().matches("version\\s+1(\\.0)?")) {
       throw new MapFormatException(
           file + ", line 1: expected 'version 1'; is this a MovingAI scenario?");

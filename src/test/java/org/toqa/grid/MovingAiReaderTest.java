@@ -25,6 +25,16 @@ class MovingAiReaderTest {
   }
 
   @Test
+  void filesMayBeginWithAByteOrderMark() throws IOException {
+    Path map = files.write("a.map", "\uFEFFtype octile\r\nheight 1\r\nwidth 2\r\nmap\r\n.@\r\n");
+    Path scenarios =
+        files.write("a.map.scen", "\uFEFFversion 1\r\n3\ta\t2\t1\t0\t0\t0\t0\t0\r\n");
+
+    assertEquals(OccupancyGrid.parse(".#"), MovingAiReader.read(map));
+    assertEquals(1, ScenarioReader.read(scenarios).size());
+  }
+
+  @Test
   void wrongMapsAreRefusedWithTheLine() throws IOException {
     assertRefused(files.write("a.map", "type tile\n"), "line 1", "type octile");
     assertRefused(files.write("b.map", "type octile\nheight x\n"), "line 2", "height");
