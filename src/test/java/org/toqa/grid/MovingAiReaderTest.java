@@ -27,8 +27,7 @@ class MovingAiReaderTest {
   @Test
   void filesMayBeginWithAByteOrderMark() throws IOException {
     Path map = files.write("a.map", "\uFEFFtype octile\r\nheight 1\r\nwidth 2\r\nmap\r\n.@\r\n");
-    Path scenarios =
-        files.write("a.map.scen", "\uFEFFversion 1\r\n3\ta\t2\t1\t0\t0\t0\t0\t0\r\n");
+    Path scenarios = files.write("a.map.scen", "\uFEFFversion 1\r\n3\ta\t2\t1\t0\t0\t0\t0\t0\r\n");
 
     assertEquals(OccupancyGrid.parse(".#"), MovingAiReader.read(map));
     assertEquals(1, ScenarioReader.read(scenarios).size());
