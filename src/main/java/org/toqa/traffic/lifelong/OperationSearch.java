@@ -317,8 +317,8 @@ final class OperationSearch {
       int next = graph.successor(state, action);
       if (next == NONE
           || (!mayGo && action != StateGraph.WAIT)
-          || (t > 0 && graph.isRedundantPair(action(code, t - 1), action))) {
-        continue;
+          || (t > task.delays()[robot] && graph.isRedundantPair(action(code, t - 1), action))) {
+        continue; // what it waits until it is there is no choice, and makes nothing redundant
       }
       int there = graph.vertex(next);
       int direction = graph.direction(state, action);

@@ -46,6 +46,25 @@ class LateRobotTest {
     assertEquals(new Cell(1, 0), plan.path(1).at(2).cell()); // as soon as that is free
   }
 
+  @ParameterizedTest
+  @EnumSource
+  void turnsAsSoonAsItIsThere(MotionModel model) {
+    RoadGraph corner = new RoadGraph(OccupancyGrid.parse("...", "#.#", "#.#"));
+    Cell bend = new Cell(1, 0);
+    PlannedRobot late =
+        new PlannedRobot(
+            "late", new GridPose(bend, Heading.EAST), new Cell(1, 2), 0, false, 1);
+
+    PlannedPath path =
+        new RollingHorizonPlanner(model, false, 1)
+            .plan(new TrafficSnapshot(corner, List.of(late), new BitSet(), 0), Deadline.none())
+            .path(0);
+
+    int turns = model == MotionModel.TURNS ? 1 : 0;
+    assertEquals(bend, path.at(1 + turns).cell());
+    assertEquals(new Cell(1, 1), path.at(2 + turns).cell());
+  }
+
   /** Two one behind the other, the first of them late. */
   private static TrafficSnapshot queue(int delay) {
     GridPose first = new GridPose(new Cell(1, 0), Heading.EAST);
