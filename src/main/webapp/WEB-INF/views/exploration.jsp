@@ -25,7 +25,7 @@
         <c:if test="${isRunning and not caller.isVisitor()}"><form method="post" action="<c:out value="${here}"/>/stop"><t:csrf/><button class="outline"><fmt:message key="laboratory.stop"/></button></form></c:if>
       </div>
       <c:if test="${isRunning}"><p class="notice"><fmt:message key="exploration.goesOn"/></p></c:if>
-      <c:if test="${exploration.state() == 'NO_WAY' or exploration.state() == 'LOST' or exploration.state() == 'OUT_OF_TIME' or exploration.state() == 'FAILED'}"><p class="notice bad"><fmt:message key="exploration.why.${exploration.state()}"/></p></c:if>
+      <c:if test="${exploration.state() == 'NO_WAY' or exploration.state() == 'LOST' or exploration.state() == 'OUT_OF_TIME' or exploration.state() == 'FAILED' or exploration.state() == 'INTERRUPTED'}"><p class="notice bad"><fmt:message key="exploration.why.${exploration.state()}"/></p></c:if>
       <c:if test="${exploration.draft() == 'SAVED'}"><p class="notice good" role="status"><fmt:message key="exploration.saved"/>${" "}<a href="<c:out value="${root}/floors/${segment}/edit"/>"><fmt:message key="exploration.toEditor"/></a></p></c:if>
       <c:if test="${exploration.draft() == 'NOT_SAVED'}">
         <div class="notice bad">
@@ -61,19 +61,19 @@
           <c:forEach items="${grounds}" var="ground">
             <fmt:formatNumber value="${ground.width()}" maxFractionDigits="1" var="width"/>
             <fmt:formatNumber value="${ground.height()}" maxFractionDigits="1" var="height"/>
-            <option value="<c:out value="${ground.value()}"/>" ${param.ground == ground.value() ? 'selected' : ''}><c:choose><c:when test="${not empty ground.scene()}"><fmt:message key="exploration.scene.${ground.scene()}"/></c:when><c:otherwise><fmt:message key="exploration.floorMap"><fmt:param><c:out value="${ground.name()}"/></fmt:param></fmt:message></c:otherwise></c:choose>, <fmt:message key="loads.size"><fmt:param value="${width}"/><fmt:param value="${height}"/></fmt:message></option>
+            <option value="<c:out value="${ground.value()}"/>" ${(empty param.ground ? exploration.ground() : param.ground) == ground.value() ? 'selected' : ''}><c:choose><c:when test="${not empty ground.scene()}"><fmt:message key="exploration.scene.${ground.scene()}"/></c:when><c:otherwise><fmt:message key="exploration.floorMap"><fmt:param><c:out value="${ground.name()}"/></fmt:param></fmt:message></c:otherwise></c:choose>, <fmt:message key="loads.size"><fmt:param value="${width}"/><fmt:param value="${height}"/></fmt:message></option>
           </c:forEach>
         </select>
         <small id="ground-help"><c:choose><c:when test="${not empty errors.ground}"><bdi><c:out value="${errors.ground}"/></bdi></c:when><c:otherwise><fmt:message key="exploration.ground.hint"/></c:otherwise></c:choose></small>
         <div class="grid">
-          <div><t:field name="robots" label="exploration.robots" hint="exploration.robots.hint" inputmode="numeric" value="1"/></div>
-          <div><t:field name="seed" label="laboratory.seed" hint="exploration.seed.hint" inputmode="numeric" value="1"/></div>
+          <div><t:field name="robots" label="exploration.robots" hint="exploration.robots.hint" inputmode="numeric" value="${proposed.robots()}"/></div>
+          <div><t:field name="seed" label="laboratory.seed" hint="exploration.seed.hint" inputmode="numeric" value="${proposed.seed()}"/></div>
         </div>
         <div class="grid">
-          <div><t:field name="startX" label="exploration.startX" inputmode="decimal" value="${example.start().x()}"/></div>
-          <div><t:field name="startY" label="exploration.startY" inputmode="decimal" value="${example.start().y()}"/></div>
-          <div><t:field name="targetX" label="exploration.targetX" inputmode="decimal" value="${example.target().x()}"/></div>
-          <div><t:field name="targetY" label="exploration.targetY" inputmode="decimal" value="${example.target().y()}"/></div>
+          <div><t:field name="startX" label="exploration.startX" inputmode="decimal" value="${proposed.start().x()}"/></div>
+          <div><t:field name="startY" label="exploration.startY" inputmode="decimal" value="${proposed.start().y()}"/></div>
+          <div><t:field name="targetX" label="exploration.targetX" inputmode="decimal" value="${proposed.target().x()}"/></div>
+          <div><t:field name="targetY" label="exploration.targetY" inputmode="decimal" value="${proposed.target().y()}"/></div>
         </div>
         <button><fmt:message key="exploration.start.submit"/></button>
       </form>

@@ -55,6 +55,7 @@ import org.toqa.store.JdbiAccountStore;
 import org.toqa.store.JdbiCameraStore;
 import org.toqa.store.JdbiDeviceStore;
 import org.toqa.store.JdbiEventArchive;
+import org.toqa.store.JdbiExplorationStore;
 import org.toqa.store.JdbiFleetStore;
 import org.toqa.store.JdbiLabRunStore;
 import org.toqa.store.JdbiNoticeStore;
@@ -99,6 +100,7 @@ public final class WebTestServer implements AutoCloseable {
           "network_devices",
           "cameras",
           "supervisions",
+          "explorations",
           "schedules",
           "tasks",
           "robots");
@@ -272,7 +274,12 @@ public final class WebTestServer implements AutoCloseable {
             new Semaphore(1),
             InstantSource.system());
     explorer =
-        new Explorer(fleet, new Semaphore(1), InstantSource.system(), () -> explorationSpeed);
+        new Explorer(
+            new JdbiExplorationStore(jdbi),
+            fleet,
+            new Semaphore(1),
+            InstantSource.system(),
+            () -> explorationSpeed);
     baseDir = Files.createTempDirectory("toqa-web-test");
     network =
         new Network(

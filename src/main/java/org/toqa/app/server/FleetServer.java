@@ -58,6 +58,7 @@ import org.toqa.store.JdbiAccountStore;
 import org.toqa.store.JdbiCameraStore;
 import org.toqa.store.JdbiDeviceStore;
 import org.toqa.store.JdbiEventArchive;
+import org.toqa.store.JdbiExplorationStore;
 import org.toqa.store.JdbiFleetStore;
 import org.toqa.store.JdbiFloorStore;
 import org.toqa.store.JdbiLabRunStore;
@@ -243,7 +244,13 @@ public final class FleetServer implements AutoCloseable {
     fleet.addWarning(supervisor::warning);
     fleet.showBoxes(supervisor::boxes);
     Explorer explorer =
-        new Explorer(fleet, shared.explorations(), wallClock, () -> Explorer.WATCHED);
+        new Explorer(
+            new JdbiExplorationStore(database.jdbi()),
+            fleet,
+            shared.explorations(),
+            wallClock,
+            () -> Explorer.WATCHED);
+    explorer.recover();
     parts.push(explorer);
     JdbiTrackStore tracks = new JdbiTrackStore(database.jdbi());
     parts.push(new TrackRecorder(fleet.snapshots(), tracks));

@@ -10,6 +10,7 @@ import org.toqa.exploration.ExplorationPicture;
  *
  * @param ground over which it drives: as {@link Explorer#ground} reads it
  * @param user who started it
+ * @param revision that the floor's draft had then
  * @param endedAt null: it goes on
  * @param draft what has become of what was seen
  */
@@ -18,6 +19,7 @@ public record Exploration(
     String ground,
     ExplorationOrder order,
     String user,
+    long revision,
     Instant startedAt,
     @Nullable Instant endedAt,
     State state,
@@ -34,7 +36,9 @@ public record Exploration(
     /** By a person, or by the end of the server. */
     STOPPED,
     /** By a fault of the server. */
-    FAILED;
+    FAILED,
+    /** The server was killed, or its machine failed, in the middle of it. */
+    INTERRUPTED;
 
     public boolean isOver() {
       return this != RUNNING;
@@ -52,16 +56,18 @@ public record Exploration(
   }
 
   Exploration with(State now, ExplorationPicture seen) {
-    return new Exploration(floor, ground, order, user, startedAt, endedAt, now, seen, draft);
+    return new Exploration(
+        floor, ground, order, user, revision, startedAt, endedAt, now, seen, draft);
   }
 
   /** The same; what was seen is the draft by now. */
   Exploration saved() {
     return new Exploration(
-        floor, ground, order, user, startedAt, endedAt, state, picture, Draft.SAVED);
+        floor, ground, order, user, revision, startedAt, endedAt, state, picture, Draft.SAVED);
   }
 
   Exploration ended(Instant at, Draft became) {
-    return new Exploration(floor, ground, order, user, startedAt, at, state, picture, became);
+    return new Exploration(
+        floor, ground, order, user, revision, startedAt, at, state, picture, became);
   }
 }

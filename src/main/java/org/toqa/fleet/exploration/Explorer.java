@@ -1,6 +1,7 @@
 package org.toqa.fleet.exploration;
 
 import java.time.Duration;
+import java.time.Instant;
 import java.time.InstantSource;
 import java.util.List;
 import java.util.Map;
@@ -14,19 +15,24 @@ import java.util.concurrent.Semaphore;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
 import java.util.function.DoubleSupplier;
+import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 import org.toqa.exploration.ExplorationDrive;
 import org.toqa.exploration.ExplorationOrder;
 import org.toqa.exploration.HiddenGround;
 import org.toqa.fleet.Answer;
+import org.toqa.fleet.EventKind;
+import org.toqa.fleet.EventRecord;
 import org.toqa.fleet.Fleet;
 import org.toqa.fleet.FloorDraft;
 import org.toqa.geometry.Vec2;
 import org.toqa.grid.FloorDrawing;
 import org.toqa.grid.OccupancyGrid;
 import org.toqa.grid.Place;
+import org.toqa.persistence.StoreException;
 import org.toqa.wording.Phrase;
+import org.toqa.wording.Sentence;
 
 /**
  * Lets swarms explore the floors of a site.
@@ -38,9 +44,12 @@ import org.toqa.wording.Phrase;
  *       three times as long as it computes. Whoever watches asks {@link #latest}; nobody need to.
  *   <li>It ends by itself, by {@link #stop}, or with the server. What was seen becomes the floor's
  *       draft, unless somebody has drawn there meanwhile; then {@link #draw} makes it so.
+ *   <li>One that goes on is stored now and then. What was cut off by the death of the server ends
+ *       as such at its next start ({@link #recover}), with what was stored of it.
  * </ol>
  *
- * <p>Of each floor the last one is kept, until the server ends. Any thread may call it.
+ * <p>Of each floor the last one is kept; beginning and end are in the history. Any thread may call
+ * it.
  */
 public final class Explorer implements AutoCloseable {
   private static final Logger log = LoggerFactory.getLogger(Explorer.class);
@@ -59,9 +68,13 @@ public final class Explorer implements AutoCloseable {
 
   private static final Duration LIMIT = Duration.ofSeconds(10);
 
+  /** Between two pictures that are stored, and before what could not be stored is tried again. */
+  private static final Duration STORE_PERIOD = Duration.ofSeconds(5);
+
   /** Steps between two pictures. */
   private static final int PICTURE_STEPS = 3;
 
+  private final ExplorationStore store;
   private final Fleet fleet;
   private final Semaphore slot;
   private final InstantSource clock;
@@ -80,9 +93,10 @@ public final class Explorer implements AutoCloseable {
     final Exploration begun;
     final FloorDraft draft;
     final CompletableFuture<Exploration> end = new CompletableFuture<>();
-    volatile boolean isStopped;
+    volatile @Nullable String stopper;
     int steps;
     long dueNanos = System.nanoTime();
+    long storedNanos = System.nanoTime();
 
     Running(ExplorationDrive drive, Exploration begun, FloorDraft draft) {
       this.drive = drive;
@@ -95,12 +109,41 @@ public final class Explorer implements AutoCloseable {
    * @param slot with one permit, which all sites of the server share
    * @param speed simulated seconds a second, asked at each step; infinite: as fast as it can
    */
-  public Explorer(Fleet fleet, Semaphore slot, InstantSource clock, DoubleSupplier speed) {
+  public Explorer(
+      ExplorationStore store,
+      Fleet fleet,
+      Semaphore slot,
+      InstantSource clock,
+      DoubleSupplier speed) {
+    this.store = store;
     this.fleet = fleet;
     this.slot = slot;
     this.clock = clock;
     this.speed = speed;
+    thread.setExecuteExistingDelayedTasksAfterShutdownPolicy(false);
     thread.prestartCoreThread(); // not by a request, of whose application it would be
+  }
+
+  /** Knows what is stored, and ends what the server left behind. To be called once, at first. */
+  public void recover() {
+    for (Exploration stored : store.explorations()) {
+      latest.put(stored.floor(), stored);
+      if (!stored.state().isOver()) {
+        thread.execute(() -> endInterrupted(stored));
+      }
+    }
+  }
+
+  private void endInterrupted(Exploration stored) {
+    Exploration last = stored.with(Exploration.State.INTERRUPTED, stored.picture());
+    Optional<FloorDraft> draft = fleet.floorEditing().draft(stored.floor());
+    if (draft.isEmpty()) {
+      var _ = ended(last, Exploration.Draft.NOT_SAVED, null);
+      return;
+    }
+    var _ =
+        keepSeen(last, draft.get().drawing())
+            .thenAcceptAsync(became -> ended(last, became, null), thread);
   }
 
   /** The last exploration of a floor. */
@@ -141,7 +184,7 @@ public final class Explorer implements AutoCloseable {
     if (drawer != null) {
       return new Answer.Conflict<>(Phrase.EXPLORATION_DRAFT_EXISTS.with(floor, drawer), null);
     }
-    if (!slot.tryAcquire()) {
+    if (latest(floor).filter(last -> !last.state().isOver()).isPresent() || !slot.tryAcquire()) {
       return new Answer.Conflict<>(Phrase.EXPLORATION_RUNS.with(), null);
     }
     boolean isBegun = false;
@@ -170,12 +213,16 @@ public final class Explorer implements AutoCloseable {
             ground,
             order,
             user,
+            draft.revision(),
             clock.instant(),
             null,
             Exploration.State.RUNNING,
             drive.picture(),
             Exploration.Draft.NONE_YET);
     Running now = new Running(drive, begun, draft);
+    Sentence sentence =
+        Phrase.EXPLORATION_BEGAN.with(user, order.robots(), floor, String.valueOf(order.seed()));
+    store.save(begun, List.of(event(begun, EventKind.EXPLORATION_BEGAN, user, sentence)));
     latest.put(floor, begun);
     running.put(floor, now);
     thread.execute(() -> advance(now));
@@ -200,7 +247,7 @@ public final class Explorer implements AutoCloseable {
     Exploration last = now.begun.with(Exploration.State.FAILED, now.begun.picture());
     try {
       Exploration.State state =
-          now.isStopped || isClosed ? Exploration.State.STOPPED : driveOneStep(now);
+          now.stopper != null || isClosed ? Exploration.State.STOPPED : driveOneStep(now);
       if (!state.isOver()) {
         return;
       }
@@ -220,7 +267,7 @@ public final class Explorer implements AutoCloseable {
     }
     now.steps++;
     if (now.steps % PICTURE_STEPS == 0) {
-      latest.put(now.begun.floor(), now.begun.with(Exploration.State.RUNNING, now.drive.picture()));
+      show(now);
     }
     double pace = speed.getAsDouble();
     if (Double.isFinite(pace)) {
@@ -235,49 +282,134 @@ public final class Explorer implements AutoCloseable {
     return Exploration.State.RUNNING;
   }
 
-  /** What was seen becomes the draft, if there is none but that of the beginning. */
-  private void end(Running now, Exploration last) {
-    CompletionStage<Answer<FloorDraft>> saved;
-    try {
-      saved = save(last, now.draft.revision(), now.draft.drawing(), last.user());
-    } catch (RuntimeException | Error e) {
-      saved = CompletableFuture.failedStage(e);
+  private void show(Running now) {
+    Exploration seen = now.begun.with(Exploration.State.RUNNING, now.drive.picture());
+    latest.put(seen.floor(), seen);
+    if (System.nanoTime() - now.storedNanos < STORE_PERIOD.toNanos()) {
+      return;
     }
+    try {
+      store.save(seen, List.of());
+    } catch (StoreException e) {
+      log.debug("An exploration that goes on is not stored: {}", e.toString());
+    }
+    now.storedNanos = System.nanoTime();
+  }
+
+  private void end(Running now, Exploration last) {
     var _ =
-        saved
-            .thenApply(answer -> answer instanceof Answer.Accepted<FloorDraft>)
-            .toCompletableFuture()
-            .orTimeout(LIMIT.toMillis(), TimeUnit.MILLISECONDS)
-            .exceptionally(
-                e -> {
-                  log.warn("What was seen of {} is not stored: {}", last.floor(), e.toString());
-                  return false;
-                })
-            .thenAccept(
-                isSaved -> {
-                  Exploration ended =
-                      last.ended(
-                          clock.instant(),
-                          isSaved ? Exploration.Draft.SAVED : Exploration.Draft.NOT_SAVED);
-                  latest.put(last.floor(), ended);
+        keepSeen(last, now.draft.drawing())
+            .thenAcceptAsync(
+                became -> {
+                  Exploration ended = ended(last, became, now.stopper);
                   running.remove(last.floor());
                   slot.release();
                   now.end.complete(ended);
-                });
+                },
+                thread);
+  }
+
+  /** What was seen becomes the draft, if there is none but that of the beginning. */
+  private CompletableFuture<Exploration.Draft> keepSeen(Exploration last, FloorDrawing drawing) {
+    CompletionStage<Answer<FloorDraft>> saved;
+    try {
+      saved = save(last, last.revision(), drawing, last.user());
+    } catch (RuntimeException | Error e) {
+      saved = CompletableFuture.failedStage(e);
+    }
+    return saved
+        .thenApply(
+            answer ->
+                answer instanceof Answer.Accepted<FloorDraft>
+                    ? Exploration.Draft.SAVED
+                    : Exploration.Draft.NOT_SAVED)
+        .toCompletableFuture()
+        .orTimeout(LIMIT.toMillis(), TimeUnit.MILLISECONDS)
+        .exceptionally(
+            e -> {
+              log.warn("What was seen of {} is not stored: {}", last.floor(), e.toString());
+              return Exploration.Draft.NOT_SAVED;
+            });
+  }
+
+  private Exploration ended(Exploration last, Exploration.Draft became, @Nullable String stopper) {
+    Exploration ended = last.ended(clock.instant(), became);
+    try {
+      keep(ended, List.of(end(ended, stopper)));
+    } catch (RuntimeException e) {
+      log.error("The end of the exploration of {} cannot be stored.", ended.floor(), e);
+    }
+    latest.put(ended.floor(), ended);
+    return ended;
+  }
+
+  /** Tries again while the store does not answer. */
+  private void keep(Exploration exploration, List<EventRecord> events) {
+    try {
+      store.save(exploration, events);
+    } catch (StoreException e) {
+      log.warn(
+          "The exploration of {} is not stored, which is tried again: {}",
+          exploration.floor(),
+          e.toString());
+      var _ =
+          thread.schedule(
+              () -> {
+                Exploration now = latest.get(exploration.floor());
+                if (now != null && now.startedAt().equals(exploration.startedAt())) {
+                  keep(now, events);
+                }
+              },
+              STORE_PERIOD.toNanos(),
+              TimeUnit.NANOSECONDS);
+    }
+  }
+
+  /** What the history says of an end. */
+  private static EventRecord end(Exploration ended, @Nullable String stopper) {
+    String floor = ended.floor();
+    return switch (ended.state()) {
+      case REACHED -> event(ended, EventKind.EXPLORATION_ENDED, Phrase.EXPLORATION_REACHED);
+      case NO_WAY -> event(ended, EventKind.EXPLORATION_ENDED, Phrase.EXPLORATION_NO_WAY);
+      case LOST -> event(ended, EventKind.EXPLORATION_ENDED, Phrase.EXPLORATION_LOST);
+      case OUT_OF_TIME -> event(ended, EventKind.EXPLORATION_ENDED, Phrase.EXPLORATION_OUT_OF_TIME);
+      case STOPPED ->
+          stopper == null
+              ? event(ended, EventKind.EXPLORATION_STOPPED, Phrase.EXPLORATION_SHUT_DOWN)
+              : event(
+                  ended,
+                  EventKind.EXPLORATION_STOPPED,
+                  stopper,
+                  Phrase.EXPLORATION_STOPPED.with(stopper, floor));
+      case INTERRUPTED -> event(ended, EventKind.EXPLORATION_FAILED, Phrase.EXPLORATION_CUT_OFF);
+      case FAILED -> event(ended, EventKind.EXPLORATION_FAILED, Phrase.EXPLORATION_BROKE);
+      case RUNNING -> throw new IllegalArgumentException("It goes on: " + floor);
+    };
+  }
+
+  private static EventRecord event(Exploration ended, EventKind kind, Phrase phrase) {
+    return event(ended, kind, EventRecord.SYSTEM, phrase.with(ended.floor()));
+  }
+
+  private static EventRecord event(
+      Exploration exploration, EventKind kind, String who, Sentence sentence) {
+    Instant at = exploration.endedAt() == null ? exploration.startedAt() : exploration.endedAt();
+    return new EventRecord(at, kind, null, null, who, sentence).onFloor(exploration.floor());
   }
 
   /**
    * Ends the one of a floor: completed when what was seen is the draft, or cannot be.
    *
+   * @param user who wants it
    * @return a conflict where none goes on
    */
-  public CompletionStage<Answer<Exploration>> stop(String floor) {
+  public CompletionStage<Answer<Exploration>> stop(String floor, String user) {
     Running now = running.get(floor);
     if (now == null) {
       return CompletableFuture.completedStage(
           new Answer.Conflict<>(Phrase.EXPLORATION_RUNS_NOT.with(floor), null));
     }
-    now.isStopped = true;
+    now.stopper = user;
     return now.end.thenApply(Answer.Accepted::new);
   }
 
@@ -296,7 +428,9 @@ public final class Explorer implements AutoCloseable {
                 return answer.asRejection();
               }
               Exploration saved = last.saved();
-              latest.replace(floor, last, saved);
+              if (latest.replace(floor, last, saved)) {
+                thread.execute(() -> keep(saved, List.of()));
+              }
               return new Answer.Accepted<>(saved);
             });
   }

@@ -137,7 +137,10 @@ public final class ExplorationResource extends ApiHandler {
       throws IOException {
     String floor = FloorFilesResource.floorOfPath(request).name();
     Exploration stopped =
-        acceptedValue(request, FleetAnswers.await(services(request).explorer().stop(floor)));
+        acceptedValue(
+            request,
+            FleetAnswers.await(
+                services(request).explorer().stop(floor, Caller.of(request).name())));
     send(request, response, 200, stopped);
   }
 

@@ -78,17 +78,20 @@ public final class ExplorationPage extends PageHandler {
     request.setAttribute("floor", floor);
     request.setAttribute("segment", RequestPath.segment(floor));
     request.setAttribute("mostRobots", ExplorationOrder.MOST_ROBOTS);
-    request.setAttribute("example", HiddenGround.OFFICE);
+    Optional<Exploration> last = services(request).explorer().latest(floor);
+    request.setAttribute(
+        "proposed",
+        last.map(Exploration::order)
+            .orElse(
+                new ExplorationOrder(
+                    1, HiddenGround.OFFICE.start(), HiddenGround.OFFICE.target(), 1)));
     request.setAttribute(
         "grounds",
         Stream.concat(
                 Arrays.stream(HiddenGround.values()).map(Ground::of),
                 floors.stream().map(Ground::of))
             .toList());
-    services(request)
-        .explorer()
-        .latest(floor)
-        .ifPresent(exploration -> request.setAttribute("exploration", exploration));
+    last.ifPresent(exploration -> request.setAttribute("exploration", exploration));
     return true;
   }
 
@@ -138,7 +141,9 @@ public final class ExplorationPage extends PageHandler {
     showUnlessDone(
         request,
         response,
-        () -> FleetAnswers.await(services(request).explorer().stop(floor(request))));
+        () ->
+            FleetAnswers.await(
+                services(request).explorer().stop(floor(request), Caller.of(request).name())));
   }
 
   /** What was seen becomes the draft, whatever is drawn there. */

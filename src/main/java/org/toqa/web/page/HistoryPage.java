@@ -17,7 +17,8 @@ import org.toqa.web.input.HistoryQueryReader;
 public final class HistoryPage extends PageHandler {
   private static final int PAGE_SIZE = 100;
   private static final List<String> FAMILIES =
-      List.of("task", "schedule", "robot", "fleet", "floor", "traffic");
+      List.of(
+          "task", "schedule", "robot", "fleet", "floor", "traffic", "supervision", "exploration");
   private static final List<String> OF_MANAGERS = List.of("user", "notice");
   private static final String SITES = "site";
 

@@ -419,6 +419,17 @@ class ApiFloorsTest extends WebServerTest {
     JsonNode drawn = get("floors/New/draft", 200).get("drawing");
     assertEquals(0.1, drawn.get("resolution").asDouble());
     assertEquals("Dock \"A\"", drawn.at("/stations/0/name").asString(), "places are kept");
+    assertEquals(
+        List.of(
+            WebTestServer.MANAGER + " stopped the exploration of New",
+            WebTestServer.MANAGER + " let 2 robots explore New in simulation, with seed 1",
+            "The exploration of New reached its target",
+            WebTestServer.MANAGER + " let a robot explore New in simulation, with seed 1"),
+        get("history?kind=exploration&floor=New", 200)
+            .get("events")
+            .valueStream()
+            .map(event -> event.get("text").asString())
+            .toList());
   }
 
   @Test
