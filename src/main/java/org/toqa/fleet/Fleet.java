@@ -6,6 +6,7 @@ import java.util.Set;
 import java.util.UUID;
 import java.util.concurrent.CompletionStage;
 import org.jspecify.annotations.Nullable;
+import org.toqa.fleet.FloorView.BoxView;
 import org.toqa.geometry.Pose;
 import org.toqa.geometry.Vec2;
 import org.toqa.grid.FloorMap;
@@ -144,6 +145,13 @@ public interface Fleet {
    * @param place metres, map frame; a robot must be able to stand there
    */
   CompletionStage<Answer<RobotView>> sendTo(String robot, Vec2 place);
+
+  /**
+   * These boxes lie on a floor from now on, instead of those before: snapshots show them, and
+   * robots keep off those that are not delivered, but for who fetches one. To be told again when
+   * the floor's agents may be others. Nothing of it is stored.
+   */
+  void showBoxes(String floor, List<BoxView> boxes);
 
   /**
    * A person drives a robot by hand: a step more, which its floor's traffic grants or refuses. The

@@ -44,6 +44,7 @@ public enum Phrase {
   STANDS_WITH_ERROR,
   STANDS_STILL,
   LOAD_IN_THE_WAY,
+  BOX_IN_THE_WAY,
 
   // Why a task waits
   LOOKING_FOR_ROBOT,

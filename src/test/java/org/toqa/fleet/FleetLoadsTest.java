@@ -10,6 +10,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Objects;
 import org.junit.jupiter.api.Test;
+import org.toqa.fleet.FloorView.BoxView;
 import org.toqa.fleet.TaskOrder.Where;
 import org.toqa.geometry.Vec2;
 import org.toqa.grid.Cell;
@@ -40,6 +41,19 @@ class FleetLoadsTest extends HallFleetTest {
         waitReason(waiting, through)
             .contains("the load of task %d lies there".formatted(left().task())));
     accepted(stage.fleet.commandTask(left().task(), new MissionEvent.RemoveLoad("Max")));
+    until(view -> task(view, through).state() == TaskState.DONE);
+  }
+
+  /** As a load that lies there; a delivered one is in nobody's way. */
+  @Test
+  void robotsWaitForABoxThatASupervisorSawInTheOnlyDoorUntilItIsCarried() throws Exception {
+    stage.fleet.showBoxes("hall", List.of(new BoxView(7, DOOR, false)));
+    long through = submit("West", "East");
+
+    until(view -> waitReason(view, through).contains("box 7 lies there"));
+    assertEquals(7, stage.fleet.snapshots().latest().floors().getFirst().boxes().getFirst().box());
+    stage.fleet.showBoxes("hall", List.of(new BoxView(7, DOOR, true)));
+
     until(view -> task(view, through).state() == TaskState.DONE);
   }
 

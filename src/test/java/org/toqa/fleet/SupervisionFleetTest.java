@@ -225,7 +225,9 @@ class SupervisionFleetTest {
     assertTrue(supervisor.report("rooms").isEmpty(), "what was seen counts no more");
     await(_ -> said(supervisor.warning("rooms")).startsWith("Box 9 was found nowhere"));
     await(_ -> box(1).delivered());
-    assertEquals(List.of(new BoxView(1, new Vec2(1.25, 2.25), true)), supervisor.boxes("rooms"));
+    assertEquals(
+        List.of(new BoxView(1, new Vec2(1.25, 2.25), true)),
+        live.fleet.snapshots().latest().floors().getFirst().boxes());
     assertInstanceOf(
         Answer.Conflict.class, supervisor.leaveOut("rooms", 1, "Max").toCompletableFuture().get());
     assertInstanceOf(

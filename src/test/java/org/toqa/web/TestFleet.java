@@ -15,6 +15,7 @@ import java.util.stream.Collectors;
 import org.jspecify.annotations.Nullable;
 import org.toqa.fleet.Answer;
 import org.toqa.fleet.FloorEditing;
+import org.toqa.fleet.FloorView.BoxView;
 import org.toqa.fleet.Hold;
 import org.toqa.fleet.ManualAnswer;
 import org.toqa.fleet.ManualOrder;
@@ -198,6 +199,10 @@ public final class TestFleet extends TasksInMemory {
         : CompletableFuture.completedFuture(
             new Answer.Conflict<>(Phrase.STOPS_HAVE_CHANGED.with(name, stops.toString()), null));
   }
+
+  /** Tests put boxes on snapshots themselves. */
+  @Override
+  public void showBoxes(String floor, List<BoxView> boxes) {}
 
   @Override
   public CompletionStage<Answer<RobotView>> sendTo(String name, Vec2 place) {

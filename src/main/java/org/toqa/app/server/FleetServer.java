@@ -242,7 +242,6 @@ public final class FleetServer implements AutoCloseable {
     supervisor.begin();
     parts.push(supervisor);
     fleet.addWarning(supervisor::warning);
-    fleet.showBoxes(supervisor::boxes);
     Explorer explorer =
         new Explorer(
             new JdbiExplorationStore(database.jdbi()),

@@ -258,6 +258,8 @@ final class DispatchAgent extends AbstractBehavior<DispatchMessage> {
         holds.applyPause(m.pause());
         state.changed = true;
       }
+      case DispatchMessage.BoxesSeen m ->
+          state.floorAgent.tell(new FloorMessage.BoxesSeen(m.boxes()));
       case DispatchMessage.HoldFloor m -> holds.setFloorHold(m);
       case DispatchMessage.FloorResumeEnded m -> holds.resumeEnded(m.ended());
       case DispatchMessage.ChooseAllocator m -> allocator.choose(m);

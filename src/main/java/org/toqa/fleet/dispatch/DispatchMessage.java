@@ -14,6 +14,7 @@ import org.apache.pekko.pattern.StatusReply;
 import org.jspecify.annotations.Nullable;
 import org.toqa.fleet.Answer;
 import org.toqa.fleet.BatchAnswer;
+import org.toqa.fleet.FloorView.BoxView;
 import org.toqa.fleet.Hold;
 import org.toqa.fleet.ManualAnswer;
 import org.toqa.fleet.ManualOrder;
@@ -255,6 +256,13 @@ public sealed interface DispatchMessage {
    * @param pause null: they go on
    */
   record ApplyPause(@Nullable Hold pause) implements DispatchMessage, ControlMessage {}
+
+  /** These boxes lie on the floor, instead of those before. */
+  record BoxesSeen(List<BoxView> boxes) implements DispatchMessage {
+    public BoxesSeen {
+      boxes = List.copyOf(boxes);
+    }
+  }
 
   /** A person puts the floor's robots on hold, or lets them go on. It overtakes likewise. */
   record HoldFloor(boolean hold, String user, ActorRef<StatusReply<Answer<Optional<Hold>>>> replyTo)

@@ -20,6 +20,7 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 import org.toqa.fleet.Answer;
 import org.toqa.fleet.BatchAnswer;
+import org.toqa.fleet.FloorView.BoxView;
 import org.toqa.fleet.Hold;
 import org.toqa.fleet.ManualAnswer;
 import org.toqa.fleet.ManualOrder;
@@ -162,6 +163,11 @@ public final class FloorFleet implements AutoCloseable {
   /** A robot's sensors beside its link see this; nothing where the robot is on another floor. */
   public void tellRanges(String robot, List<Double> ranges, List<Double> angles) {
     robotAgents.tell(robot, new RobotMessage.RangesHeard(ranges, angles));
+  }
+
+  /** These boxes lie on the floor, instead of those before. */
+  public void tellBoxes(List<BoxView> boxes) {
+    system.tell(new DispatchMessage.BoxesSeen(boxes));
   }
 
   /** All floors are paused, or go on where it is null. */

@@ -339,8 +339,13 @@ final class DriveDispatcher {
     return state
         .traffic
         .obstacleInTheWay(name)
-        .flatMap(state.leftLoads::taskAt)
-        .map(Phrase.LOAD_IN_THE_WAY::with);
+        .flatMap(
+            place ->
+                state
+                    .leftLoads
+                    .taskAt(place)
+                    .map(Phrase.LOAD_IN_THE_WAY::with)
+                    .or(() -> state.leftLoads.boxAt(place).map(Phrase.BOX_IN_THE_WAY::with)));
   }
 
   /** Why a robot that others wait for does not go on, where a person can help. */

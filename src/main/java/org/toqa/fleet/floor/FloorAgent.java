@@ -164,6 +164,7 @@ public final class FloorAgent extends AbstractBehavior<FloorMessage> {
         state.leftLoads.update(m.mission(), m.endedAt());
         state.changed = true;
       }
+      case FloorMessage.BoxesSeen m -> state.leftLoads.setBoxes(m.boxes());
       case FloorMessage.CommandTask m -> missions.commandTask(m);
       case FloorMessage.StepStored m -> missions.stepStored(m.step());
       case FloorMessage.SetPause m -> holds.setPause(m.pause());

@@ -10,6 +10,7 @@ import org.apache.pekko.pattern.StatusReply;
 import org.jspecify.annotations.Nullable;
 import org.toqa.fleet.Answer;
 import org.toqa.fleet.ChargeRecord;
+import org.toqa.fleet.FloorView.BoxView;
 import org.toqa.fleet.Hold;
 import org.toqa.fleet.ManualAnswer;
 import org.toqa.fleet.ManualOrder;
@@ -99,6 +100,13 @@ public sealed interface FloorMessage {
 
   /** That a person has said so is safe: now the robot may be told. */
   record ClearStored(ClearStops command) implements FloorMessage {}
+
+  /** These boxes lie on the floor, instead of those before. */
+  record BoxesSeen(List<BoxView> boxes) implements FloorMessage {
+    public BoxesSeen {
+      boxes = List.copyOf(boxes);
+    }
+  }
 
   /** A person sends an idle robot to its parking point. */
   record SendHome(String robot, String user, ActorRef<StatusReply<Answer<RobotView>>> replyTo)

@@ -9,13 +9,16 @@ import java.util.Map;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.Set;
+import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
+import org.toqa.fleet.FloorView.BoxView;
 import org.toqa.fleet.FloorView.LeftLoad;
 import org.toqa.fleet.LoadView;
 import org.toqa.geometry.Vec2;
 import org.toqa.grid.Cell;
 import org.toqa.grid.Disc;
 import org.toqa.grid.OccupancyGrid;
+import org.toqa.mission.ArmHandling;
 import org.toqa.mission.Mission;
 import org.toqa.mission.TransportTask;
 import org.toqa.mission.TransportTask.LoadSize;
@@ -24,9 +27,9 @@ import org.toqa.wording.Phrase;
 import org.toqa.wording.Sentence;
 
 /**
- * Loads that ended missions left on the floor. Each keeps robots off the cells that it may cover,
- * whatever its heading: all but those that stand there, as the one that set it down does, and those
- * that fetch it.
+ * Loads that ended missions left on the floor, and boxes that a supervisor saw there. Each keeps
+ * robots off the cells that it may cover, whatever its heading: all but those that stand there, as
+ * the one that set it down does, and those that fetch it.
  */
 final class LeftLoads {
   private static final BitSet NO_CELLS = new BitSet();
@@ -34,11 +37,38 @@ final class LeftLoads {
   private final OccupancyGrid grid;
 
   /** By task. */
-  private final Map<Long, Entry> loads = new LinkedHashMap<>();
+  private final Map<Long, Load> loads = new LinkedHashMap<>();
+
+  private Map<Integer, Box> boxes = Map.of();
 
   private final Map<String, BitSet> passable = new HashMap<>();
 
-  private record Entry(Mission mission, Instant endedAt, Vec2 where, BitSet cells) {}
+  /** What lies on the floor. */
+  private sealed interface Lying {
+    Vec2 where();
+
+    BitSet cells();
+
+    boolean isFetchedBy(Mission mission);
+  }
+
+  private record Load(Mission mission, Instant endedAt, Vec2 where, BitSet cells) implements Lying {
+    @Override
+    public boolean isFetchedBy(Mission other) {
+      TransportTask left = mission.task();
+      return where.distanceTo(other.object().position()) < LoadView.SAME_PLACE
+          && other.task().hasLoadOf(left.load(), left.size());
+    }
+  }
+
+  private record Box(int number, Vec2 where, BitSet cells) implements Lying {
+    @Override
+    public boolean isFetchedBy(Mission mission) {
+      ArmHandling arm = mission.task().arm();
+      Vec2 fetched = arm == null ? mission.object().position() : arm.pick();
+      return where.distanceTo(fetched) < LoadView.SAME_PLACE;
+    }
+  }
 
   LeftLoads(OccupancyGrid grid) {
     this.grid = grid;
@@ -54,12 +84,32 @@ final class LeftLoads {
     if (where.isEmpty()) {
       loads.remove(mission.id());
     } else {
-      loads.put(mission.id(), new Entry(mission, at, where.get(), cellsAt(where.get(), mission)));
+      LoadSize size = Objects.requireNonNullElse(mission.task().size(), LoadSize.DEFAULT);
+      loads.put(mission.id(), new Load(mission, at, where.get(), cellsAt(where.get(), size)));
     }
   }
 
-  private BitSet cellsAt(Vec2 where, Mission mission) {
-    LoadSize size = Objects.requireNonNullElse(mission.task().size(), LoadSize.DEFAULT);
+  /** These lie there now, instead of those before; delivered ones are in nobody's way any more. */
+  void setBoxes(List<BoxView> seen) {
+    Map<Integer, Box> next = new LinkedHashMap<>();
+    for (BoxView box : seen) {
+      if (!box.delivered()) {
+        Box known = boxes.get(box.box());
+        next.put(
+            box.box(),
+            known != null && known.where().equals(box.where())
+                ? known
+                : new Box(box.box(), box.where(), cellsAt(box.where(), LoadSize.DEFAULT)));
+      }
+    }
+    boxes = next;
+  }
+
+  private Stream<Lying> all() {
+    return Stream.concat(loads.values().stream(), boxes.values().stream());
+  }
+
+  private BitSet cellsAt(Vec2 where, LoadSize size) {
     BitSet cells = new BitSet();
     for (Cell cell : new Disc(Math.hypot(size.length(), size.width()) / 2).cellsAt(grid, where)) {
       cells.set(grid.index(cell));
@@ -69,19 +119,19 @@ final class LeftLoads {
 
   /** The ended mission whose load lies on the floor. */
   Optional<Mission> missionOf(long task) {
-    return Optional.ofNullable(loads.get(task)).map(Entry::mission);
+    return Optional.ofNullable(loads.get(task)).map(Load::mission);
   }
 
   /** When the mission ended, whose load lies on the floor. */
   Optional<Instant> endOf(long task) {
-    return Optional.ofNullable(loads.get(task)).map(Entry::endedAt);
+    return Optional.ofNullable(loads.get(task)).map(Load::endedAt);
   }
 
   /** The ended mission whose load, of the same weight and size, lies where it fetches its own. */
   List<Mission> fetchedBy(Mission mission) {
     return loads.values().stream()
-        .filter(load -> isFetchedBy(load, mission))
-        .map(Entry::mission)
+        .filter(load -> load.isFetchedBy(mission))
+        .map(Load::mission)
         .limit(1)
         .toList();
   }
@@ -94,16 +144,15 @@ final class LeftLoads {
         .findFirst();
   }
 
-  private static boolean isFetchedBy(Entry load, Mission mission) {
-    TransportTask left = load.mission().task();
-    return load.where().distanceTo(mission.object().position()) < LoadView.SAME_PLACE
-        && mission.task().hasLoadOf(left.load(), left.size());
+  /** The box that may cover that place. */
+  Optional<Integer> boxAt(Vec2 place) {
+    return boxes.values().stream().filter(box -> isOn(box, place)).map(Box::number).findFirst();
   }
 
   /** The cells that they may cover. */
   BitSet cells() {
     BitSet cells = new BitSet();
-    loads.values().forEach(load -> cells.or(load.cells()));
+    all().forEach(lying -> cells.or(lying.cells()));
     return cells;
   }
 
@@ -121,8 +170,8 @@ final class LeftLoads {
   void updatePassable(String robot, @Nullable Mission fetching, FloorTraffic traffic) {
     BitSet before = passable.getOrDefault(robot, NO_CELLS);
     BitSet now = new BitSet();
-    for (Entry load : loads.values()) {
-      if (fetching != null && isFetchedBy(load, fetching)) {
+    for (Lying load : all().toList()) {
+      if (fetching != null && load.isFetchedBy(fetching)) {
         now.or(load.cells());
       } else if (before.intersects(load.cells())
           && (traffic.standingCells(robot).intersects(load.cells())
@@ -142,7 +191,7 @@ final class LeftLoads {
   }
 
   /** A robot may say that it is beside the map. */
-  private boolean isOn(Entry load, Vec2 place) {
+  private boolean isOn(Lying load, Vec2 place) {
     Cell cell = grid.cellAt(place);
     return grid.contains(cell) && load.cells().get(grid.index(cell));
   }
@@ -153,7 +202,7 @@ final class LeftLoads {
   }
 
   /** The cells that are no nearer to the load's middle than a robot, and those that it is on. */
-  private BitSet outward(Entry load, Vec2 robot, BitSet standing) {
+  private BitSet outward(Lying load, Vec2 robot, BitSet standing) {
     double from = load.where().distanceTo(robot);
     BitSet cells = (BitSet) standing.clone();
     cells.and(load.cells());
@@ -174,7 +223,7 @@ final class LeftLoads {
     return loads.values().stream().map(LeftLoads::view).toList();
   }
 
-  private static LeftLoad view(Entry load) {
+  private static LeftLoad view(Load load) {
     Mission mission = load.mission();
     return new LeftLoad(
         mission.id(),

@@ -15,7 +15,6 @@ import java.util.concurrent.ExecutionException;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
 import java.util.function.Consumer;
-import java.util.function.Function;
 import java.util.function.Supplier;
 import org.apache.pekko.actor.typed.ActorSystem;
 import org.apache.pekko.actor.typed.javadsl.AskPattern;
@@ -585,13 +584,14 @@ public final class AgentFleet implements Fleet, AutoCloseable {
     monitor.addWarning(check);
   }
 
-  /**
-   * From now on these boxes are on snapshots.
-   *
-   * @param ofFloor those that a supervisor knows of on a floor, by its name; for any thread
-   */
-  public void showBoxes(Function<String, List<BoxView>> ofFloor) {
-    monitor.showBoxes(ofFloor);
+  @Override
+  public void showBoxes(String floor, List<BoxView> boxes) {
+    for (FloorEntry entry : floors.all()) {
+      if (entry.name().equals(floor)) {
+        entry.snapshots().setBoxes(boxes);
+        entry.ifRunning(agents -> agents.tellBoxes(boxes));
+      }
+    }
   }
 
   /** From now on what this finds of robots, by name, is an alert of theirs; they go on. */

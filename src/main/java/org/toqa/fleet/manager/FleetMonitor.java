@@ -7,11 +7,9 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.CopyOnWriteArrayList;
-import java.util.function.Function;
 import java.util.function.Supplier;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
-import org.toqa.fleet.FloorView.BoxView;
 import org.toqa.fleet.PeriodicWork;
 import org.toqa.wording.Phrase;
 import org.toqa.wording.Sentence;
@@ -30,7 +28,6 @@ final class FleetMonitor implements AutoCloseable {
   private final List<Supplier<Optional<Sentence>>> checks = new CopyOnWriteArrayList<>();
   private final List<Supplier<Optional<Sentence>>> warnings = new CopyOnWriteArrayList<>();
   private final List<Supplier<Map<String, Sentence>>> robotChecks = new CopyOnWriteArrayList<>();
-  private volatile Function<String, List<BoxView>> boxes = _ -> List.of();
   private final PeriodicWork work;
   private List<Sentence> logged = List.of();
 
@@ -54,10 +51,6 @@ final class FleetMonitor implements AutoCloseable {
 
   void addRobotCheck(Supplier<Map<String, Sentence>> check) {
     robotChecks.add(check);
-  }
-
-  void showBoxes(Function<String, List<BoxView>> ofFloor) {
-    boxes = ofFloor;
   }
 
   /** Why the fleet cannot go on; empty while it can. */
@@ -91,7 +84,6 @@ final class FleetMonitor implements AutoCloseable {
       here.addAll(floor.failures());
       floor.ifRunning(agents -> here.addAll(agents.warnings()));
       floor.snapshots().setAlerts(here, ofRobots);
-      floor.snapshots().setBoxes(boxes.apply(floor.name()));
     }
     site.setAlerts(everywhere);
   }

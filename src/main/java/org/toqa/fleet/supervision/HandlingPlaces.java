@@ -6,8 +6,6 @@ import java.util.stream.Stream;
 import org.toqa.arm.Arm;
 import org.toqa.arm.ArmStance;
 import org.toqa.geometry.Vec2;
-import org.toqa.grid.FloorMap;
-import org.toqa.grid.Inflation;
 import org.toqa.grid.OccupancyGrid;
 
 /** Where a robot can stand so that its arm comes to a place: in the middles of cells. */
@@ -18,22 +16,16 @@ final class HandlingPlaces {
   /** Metres that a robot may stand elsewhere than it was told, or a box lie. */
   private static final double ERROR = 0.04;
 
-  private final OccupancyGrid drivable;
+  private HandlingPlaces() {}
 
   /**
-   * @param clearance metres between a robot's middle and walls
-   */
-  HandlingPlaces(FloorMap floor, double clearance) {
-    drivable = Inflation.inflate(floor.grid(), clearance);
-  }
-
-  /**
-   * Points that are off walls; whether a path leads there, only the fleet knows.
+   * Points on which a robot can stand; whether a path leads there, only the fleet knows.
    *
    * @param target metres, map frame
+   * @param drivable where its middle can be
    * @return the better ones first
    */
-  List<Vec2> round(Vec2 target, Arm arm) {
+  static List<Vec2> round(Vec2 target, Arm arm, OccupancyGrid drivable) {
     double farthest = arm.base().position().norm() + arm.farthest();
     double best = BEST_REACH * farthest;
     int cells = (int) Math.ceil(farthest / drivable.resolution());

@@ -6,6 +6,7 @@ import java.util.ArrayDeque;
 import java.util.Base64;
 import java.util.BitSet;
 import java.util.Deque;
+import java.util.List;
 import java.util.Optional;
 import java.util.zip.DataFormatException;
 import java.util.zip.Deflater;
@@ -14,7 +15,6 @@ import org.jspecify.annotations.Nullable;
 import org.toqa.geometry.Vec2;
 import org.toqa.grid.Cell;
 import org.toqa.grid.FloorMap;
-import org.toqa.grid.Inflation;
 import org.toqa.grid.OccupancyGrid;
 import org.toqa.grid.RayCast;
 
@@ -30,11 +30,19 @@ final class SeenArea {
   private static final int LONGEST_TEXT = 60_000;
 
   private final OccupancyGrid walls;
-  private final OccupancyGrid drivable;
+  private final DrivableArea area;
   private final BitSet seen;
 
   /** Views that did not show what they should, or could not be reached. */
   private final BitSet givenUp = new BitSet();
+
+  /** Where the robot's middle can be, now. */
+  private OccupancyGrid drivable;
+
+  private List<Vec2> boxes = List.of();
+
+  /** What was unseen when boxes kept the robot from all views; null: they do not. */
+  private @Nullable BitSet unseenBehindBoxes;
 
   /**
    * @param clearance metres between a robot's middle and walls
@@ -42,8 +50,18 @@ final class SeenArea {
    */
   SeenArea(FloorMap floor, double clearance, String text) {
     walls = floor.drawing().walls();
-    drivable = Inflation.inflate(floor.grid(), clearance);
+    area = new DrivableArea(floor, clearance);
+    drivable = area.among(boxes);
     seen = unpack(text);
+  }
+
+  /** These lie on the floor now, metres, map frame: they hide nothing, but are driven round. */
+  void setBoxes(List<Vec2> lying) {
+    if (!boxes.equals(lying)) {
+      boxes = List.copyOf(lying);
+      drivable = area.among(boxes);
+      unseenBehindBoxes = null;
+    }
   }
 
   /**
@@ -60,6 +78,7 @@ final class SeenArea {
   void forget() {
     seen.clear();
     givenUp.clear();
+    unseenBehindBoxes = null;
   }
 
   /** Whether everything that can be seen was. */
@@ -86,13 +105,27 @@ final class SeenArea {
    *
    * @param from where the robot is
    * @param range metres that its cameras see
-   * @return the middle of a cell; empty: nothing more can be seen from anywhere, and that is noted
+   * @return the middle of a cell; empty: nothing more can be seen from anywhere, which is noted, or
+   *     not until boxes are carried away
    */
   Optional<Vec2> nextView(Vec2 from, double range) {
     BitSet unseen = unseen();
-    if (unseen.isEmpty()) {
+    if (unseen.isEmpty() || unseen.equals(unseenBehindBoxes)) {
       return Optional.empty();
     }
+    Optional<Vec2> view = nearestView(from, range, unseen);
+    if (view.isPresent()) {
+      return view;
+    }
+    if (boxes.isEmpty()) {
+      seen.or(unseen); // behind what nobody can drive round
+    } else {
+      unseenBehindBoxes = unseen;
+    }
+    return Optional.empty();
+  }
+
+  private Optional<Vec2> nearestView(Vec2 from, double range, BitSet unseen) {
     Cell start = drivable.cellAt(from);
     BitSet visited = new BitSet();
     Deque<Cell> queue = new ArrayDeque<>();
@@ -112,7 +145,6 @@ final class SeenArea {
         }
       }
     }
-    seen.or(unseen); // behind what nobody can drive round
     return Optional.empty();
   }
 
@@ -151,6 +183,7 @@ final class SeenArea {
   /** From that place nothing more can be seen; from others it may. */
   void giveUp(Vec2 view) {
     givenUp.set(drivable.index(drivable.cellAt(view)));
+    unseenBehindBoxes = null;
   }
 
   /** For the store: the cells that were seen, packed; empty where that is too long. */

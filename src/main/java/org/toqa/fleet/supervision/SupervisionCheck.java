@@ -10,6 +10,7 @@ import org.toqa.fleet.FleetSnapshot;
 import org.toqa.fleet.RobotView;
 import org.toqa.geometry.Vec2;
 import org.toqa.grid.FloorMap;
+import org.toqa.grid.OccupancyGrid;
 import org.toqa.wording.Phrase;
 import org.toqa.wording.Sentence;
 
@@ -54,9 +55,9 @@ final class SupervisionCheck {
   private static Optional<Answer<Supervision>> objectionToTargets(
       SupervisionOrder order, FloorMap floor, RobotView supervisor, Arm arm) {
     double clearance = supervisor.capabilities().footprint() / 2 + floor.margins().robot();
-    HandlingPlaces places = new HandlingPlaces(floor, clearance);
+    OccupancyGrid drivable = new DrivableArea(floor, clearance).among(List.of());
     for (Map.Entry<Integer, Vec2> box : order.targets().entrySet()) {
-      if (places.round(box.getValue(), arm).isEmpty()) {
+      if (HandlingPlaces.round(box.getValue(), arm, drivable).isEmpty()) {
         return rejected(
             "boxes",
             Phrase.SUPERVISION_TARGET_UNREACHABLE.with(box.getKey(), Sentence.of(box.getValue())));

@@ -5,6 +5,8 @@ import java.time.Duration;
 import java.time.Instant;
 import java.time.InstantSource;
 import java.util.ArrayList;
+import java.util.BitSet;
+import java.util.Collection;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
@@ -19,6 +21,7 @@ import java.util.concurrent.Executors;
 import java.util.concurrent.ScheduledExecutorService;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
+import java.util.function.Predicate;
 import java.util.function.Supplier;
 import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
@@ -41,6 +44,7 @@ import org.toqa.fleet.supervision.Supervision.State;
 import org.toqa.geometry.Pose;
 import org.toqa.geometry.Vec2;
 import org.toqa.grid.FloorMap;
+import org.toqa.grid.OccupancyGrid;
 import org.toqa.link.message.AgentMessage.CameraView;
 import org.toqa.mission.ArmHandling;
 import org.toqa.mission.MissionEvent;
@@ -57,7 +61,8 @@ import org.toqa.wording.Sentence;
  * <ol>
  *   <li>What the cameras see is noted; the supervisor is sent where something is unseen.
  *   <li>A box that is found is stored, then ordered by a key that follows from run, box and try, so
- *       that it is ordered once whatever ends in between.
+ *       that it is ordered once whatever ends in between. Until it is carried it is in the way of
+ *       robots, and one that lies behind others is ordered when they are gone.
  *   <li>What an arm has weighed as too heavy is stored, then its task is given back and the box
  *       ordered for two, before all others.
  *   <li>When every box lies at its target, the supervision is done.
@@ -82,6 +87,9 @@ public final class Supervisor implements AutoCloseable {
 
   /** Metres: it has come there. */
   private static final double ARRIVED = 0.1;
+
+  /** Metres from a box within which robots that carry it together come to it. */
+  private static final double BESIDE = 0.5;
 
   /** A level of priority counts as a minute of waiting: before all boxes for one. */
   private static final int FOR_TWO = 60;
@@ -108,8 +116,15 @@ public final class Supervisor implements AutoCloseable {
   private static final class Watch {
     final FloorMap floor;
     final SeenArea seen;
-    final HandlingPlaces places;
+    final DrivableArea area;
     final Map<Integer, Refusal> refusals = new HashMap<>();
+
+    /** By box, where those lie that are in the way of robots. */
+    Map<Integer, Vec2> lying = Map.of();
+
+    /** By box that no robot gets to now, what lay in the way. */
+    final Map<Integer, Map<Integer, Vec2>> behind = new HashMap<>();
+
     @Nullable Instant lastLook;
     Instant seenStoredAt = Instant.MIN;
     @Nullable Vec2 view;
@@ -118,7 +133,23 @@ public final class Supervisor implements AutoCloseable {
     Watch(FloorMap floor, double clearance, String seen) {
       this.floor = floor;
       this.seen = new SeenArea(floor, clearance, seen);
-      this.places = new HandlingPlaces(floor, clearance);
+      this.area = new DrivableArea(floor, clearance);
+    }
+
+    void setLying(List<BoxView> boxes) {
+      Map<Integer, Vec2> now = new TreeMap<>();
+      boxes.stream()
+          .filter(box -> !box.delivered())
+          .forEach(box -> now.put(box.box(), box.where()));
+      lying = now;
+      seen.setBoxes(List.copyOf(now.values()));
+    }
+
+    List<Vec2> lyingBut(int box) {
+      return lying.entrySet().stream()
+          .filter(e -> e.getKey() != box)
+          .map(Map.Entry::getValue)
+          .toList();
     }
 
     /** By box, why it was refused. */
@@ -179,16 +210,6 @@ public final class Supervisor implements AutoCloseable {
   /** How the one that runs on a floor gets on; empty: none runs, or it was not looked at yet. */
   public Optional<SupervisionReport> report(String floor) {
     return Optional.ofNullable(reports.get(floor));
-  }
-
-  /**
-   * Where the boxes of the one that runs on a floor lie; not those that nobody found or carries.
-   */
-  public List<BoxView> boxes(String floor) {
-    return latest(floor)
-        .filter(Supervision::isRunning)
-        .map(running -> SupervisionRules.lying(running, fleet.snapshots().latest()))
-        .orElse(List.of());
   }
 
   /** Lets a supervisor and its workers begin, where none is at work on the floor. */
@@ -269,6 +290,7 @@ public final class Supervisor implements AutoCloseable {
   private void end(String floor) {
     watches.remove(floor);
     reports.remove(floor);
+    fleet.showBoxes(floor, List.of());
   }
 
   /**
@@ -389,6 +411,9 @@ public final class Supervisor implements AutoCloseable {
       watch.seen.look(pose.position(), camera.get().range());
     }
     now = stored(before, now, watch);
+    List<BoxView> lying = SupervisionRules.lying(now, snapshot);
+    watch.setLying(lying);
+    fleet.showBoxes(now.floor(), lying);
     for (long task : step.toGiveBack()) {
       command(task, new MissionEvent.Answer(now.user(), Reply.CANCEL));
     }
@@ -498,7 +523,17 @@ public final class Supervisor implements AutoCloseable {
       return ordered(now, box, known.get().id());
     }
     Sentence why = Phrase.SUPERVISION_NO_STAND.with();
-    List<TaskOrder> orders = orders(now, box, watch, snapshot, rules);
+    if (watch.lying.equals(watch.behind.get(box.number()))) {
+      return now;
+    }
+    List<Vec2> others = watch.lyingBut(box.number());
+    List<TaskOrder> orders = orders(now, box, watch, snapshot, rules, others);
+    if (orders.isEmpty()
+        && !others.isEmpty()
+        && !orders(now, box, watch, snapshot, rules, List.of()).isEmpty()) {
+      watch.behind.put(box.number(), watch.lying); // until one of them is carried away
+      return now;
+    }
     String failing = "";
     for (TaskOrder order : orders) {
       if (!failing.isEmpty() && failing.equals(String.valueOf(order.start()))) {
@@ -543,21 +578,32 @@ public final class Supervisor implements AutoCloseable {
             .getBytes(StandardCharsets.UTF_8));
   }
 
-  /** All that may be ordered of the box, the better ones first; the fleet checks paths and room. */
+  /**
+   * All that may be ordered of the box, the better ones first; the fleet checks paths and room.
+   *
+   * @param others that robots drive round, metres, map frame
+   */
   private static List<TaskOrder> orders(
       Supervision supervision,
       SupervisedBox box,
       Watch watch,
       FleetSnapshot snapshot,
-      SupervisionRules rules) {
+      SupervisionRules rules,
+      Collection<Vec2> others) {
     Vec2 place = box.place();
     if (place == null) {
       return List.of();
     }
+    OccupancyGrid drivable = watch.area.among(others);
+    BitSet reachable = DrivableArea.reachable(drivable, robots(supervision, snapshot));
+    Predicate<Vec2> isReachable = at -> reachable.get(drivable.index(drivable.cellAt(at)));
     String name = "Box " + box.number();
     Double weight = box.weight();
     if (weight != null && rules.isForTwo(box)) {
-      return List.of(order(supervision, name, weight, place, box.target(), FOR_TWO, null));
+      int cells = (int) Math.ceil(BESIDE / drivable.resolution());
+      return drivable.cellsAround(place, cells).stream().map(drivable::centre).anyMatch(isReachable)
+          ? List.of(order(supervision, name, weight, place, box.target(), FOR_TWO, null))
+          : List.of();
     }
     Optional<Arm> arm =
         workers(supervision, snapshot).stream()
@@ -566,13 +612,22 @@ public final class Supervisor implements AutoCloseable {
     List<TaskOrder> orders = new ArrayList<>();
     if (arm.isPresent()) {
       ArmHandling handling = new ArmHandling(place, box.target());
-      for (Vec2 from : watch.places.round(place, arm.get())) {
-        for (Vec2 to : watch.places.round(box.target(), arm.get())) {
+      List<Vec2> goals = HandlingPlaces.round(box.target(), arm.get(), drivable);
+      for (Vec2 from : HandlingPlaces.round(place, arm.get(), drivable)) {
+        for (Vec2 to : isReachable.test(from) ? goals : List.<Vec2>of()) {
           orders.add(order(supervision, name, rules.threshold(), from, to, 0, handling));
         }
       }
     }
     return orders;
+  }
+
+  private static List<Vec2> robots(Supervision supervision, FleetSnapshot snapshot) {
+    return Stream.concat(Stream.of(supervision.supervisor()), supervision.workers().stream())
+        .flatMap(name -> SupervisionRules.robot(snapshot, name).stream())
+        .flatMap(robot -> Stream.ofNullable(robot.telemetry().pose()))
+        .map(Pose::position)
+        .toList();
   }
 
   private static TaskOrder order(

@@ -27,6 +27,7 @@ class SeenAreaTest {
           "#########");
 
   private static final Vec2 WEST = new Vec2(2.5, 1.5);
+  private static final Vec2 DOOR = new Vec2(4.5, 4.5);
   private static final Vec2 EAST = new Vec2(6.5, 1.5);
 
   private final SeenArea seen =
@@ -67,6 +68,22 @@ class SeenAreaTest {
     assertFalse(seen.isComplete());
     assertTrue(other.distanceTo(first) > 0.5, other::toString);
     assertTrue(seen.isView(EAST, RANGE));
+  }
+
+  /** Else boxes that lie behind others would be taken for found nowhere. */
+  @Test
+  void whatLiesBehindABoxIsLookedForWhenThatIsCarriedAway() {
+    seen.setBoxes(List.of(DOOR));
+    for (Optional<Vec2> next = Optional.of(WEST); next.isPresent(); ) {
+      assertTrue(next.get().x() < DOOR.x(), next::toString);
+      seen.look(next.get(), RANGE);
+      next = seen.nextView(next.get(), RANGE);
+    }
+    assertFalse(seen.isComplete());
+    assertEquals(Optional.empty(), seen.nextView(WEST, RANGE));
+
+    seen.setBoxes(List.of());
+    assertTrue(seen.nextView(WEST, RANGE).isPresent());
   }
 
   @Test
