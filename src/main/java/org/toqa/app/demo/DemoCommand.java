@@ -4,6 +4,8 @@ import java.io.IOException;
 import java.net.URI;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.time.Duration;
+import java.time.Instant;
 import java.util.ArrayList;
 import java.util.EnumMap;
 import java.util.List;
@@ -70,6 +72,11 @@ public final class DemoCommand implements Callable<Integer> {
               + " three floors, over HTTP and MQTT. store: a supervisor with cameras and two workers"
               + " with arms carry ten boxes (default: usual).")
   private String scenario = USUAL;
+
+  @Option(
+      names = "--sequential",
+      description = "With --scenario store: look for boxes only while no worker carries one.")
+  private boolean sequential;
 
   @Mixin private SpeedOption speed = new SpeedOption();
 
@@ -175,11 +182,14 @@ public final class DemoCommand implements Callable<Integer> {
   }
 
   private int runStore(FleetServer toqa, DemoTasks tasks, StopSignal stop) throws Exception {
-    StoreScenario.begin(toqa, USER);
+    StoreScenario.begin(toqa, USER, !sequential);
+    Instant begun = toqa.fleetClock().instant();
     tasks.awaitEnd(stop, System.err::println, () -> StoreScenario.isOver(toqa));
     System.err.println();
     System.err.print(tasks.table());
     System.err.print(StoreScenario.summary(toqa));
+    System.err.printf(
+        "  it took %d s%n", Duration.between(begun, toqa.fleetClock().instant()).toSeconds());
     if (!once) {
       stop.await();
       return 0;
@@ -236,6 +246,9 @@ public final class DemoCommand implements Callable<Integer> {
     if (!scenario.equals(USUAL) && !isBuilding() && !isStore()) {
       throw new ConfigurationException(
           "--scenario \"" + scenario + "\": it must be usual, building or store.");
+    }
+    if (sequential && !isStore()) {
+      throw new ConfigurationException("--sequential goes with --scenario store only.");
     }
     boolean isWithSimulation = speed.value() != null || firmware || bodies != null;
     if (isBuilding() && isWithSimulation) {

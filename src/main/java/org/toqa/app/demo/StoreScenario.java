@@ -115,15 +115,16 @@ final class StoreScenario {
   /**
    * Waits until all robots are ready, and lets them begin.
    *
+   * @param overlaps whether boxes are looked for while others are carried
    * @throws Exception they are not ready, or it is refused; the message says why
    */
-  static void begin(FleetServer toqa, String user) throws Exception {
+  static void begin(FleetServer toqa, String user, boolean overlaps) throws Exception {
     awaitRobots(toqa);
     Map<Integer, Vec2> targets = new TreeMap<>();
     BOXES.forEach(box -> targets.put(box.number(), box.target()));
     Answer<Supervision> answer =
         toqa.supervisor()
-            .start(new SupervisionOrder(FLOOR, SUPERVISOR, WORKERS, true, targets), user)
+            .start(new SupervisionOrder(FLOOR, SUPERVISOR, WORKERS, overlaps, targets), user)
             .toCompletableFuture()
             .get(READY_SECONDS, TimeUnit.SECONDS);
     if (!(answer instanceof Answer.Accepted<Supervision>)) {
