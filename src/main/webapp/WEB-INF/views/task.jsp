@@ -124,8 +124,8 @@
             </c:choose>
           </c:forTokens>
         </c:url>
-        <c:if test="${empty task.task.stops}">· <a href="<c:out value="${again}"/>"><fmt:message key="task.duplicate"/></a></c:if>
-        <c:if test="${mayChange and task.state == 'QUEUED' and empty task.loadAt and empty task.task.stops}">· <a href="${root}/tasks/${task.task.id}/edit"><fmt:message key="task.edit"/></a></c:if>
+        <c:if test="${empty task.task.stops}"> · <a href="<c:out value="${again}"/>"><fmt:message key="task.duplicate"/></a></c:if>
+        <c:if test="${mayChange and task.state == 'QUEUED' and empty task.loadAt and empty task.task.stops}"> · <a href="${root}/tasks/${task.task.id}/edit"><fmt:message key="task.edit"/></a></c:if>
       </article>
       <article>
         <h2><fmt:message key="task.history"/></h2>

@@ -28,8 +28,19 @@ public final class FloorLimits {
 
   /** Whether a place may be called so. */
   public static boolean isName(String name) {
-    return !name.isBlank()
+    return name.codePoints().anyMatch(FloorLimits::isSeen)
         && name.codePointCount(0, name.length()) <= LONGEST_NAME
-        && name.chars().noneMatch(Character::isISOControl);
+        && name.codePoints().noneMatch(FloorLimits::isNoLetter);
+  }
+
+  /** Not so blanks, and what only says how its neighbours are written. */
+  private static boolean isSeen(int letter) {
+    return !Character.isWhitespace(letter)
+        && !Character.isSpaceChar(letter)
+        && Character.getType(letter) != Character.FORMAT;
+  }
+
+  private static boolean isNoLetter(int letter) {
+    return Character.isISOControl(letter) || Character.getType(letter) == Character.SURROGATE;
   }
 }

@@ -13,6 +13,8 @@ public final class StoreException extends RuntimeException {
   public enum Kind {
     /** The store is away, or in trouble of its own: the same may succeed later. */
     UNAVAILABLE,
+    /** Somebody else has stored it meanwhile, or what it needs: who asks again finds that. */
+    OVERTAKEN,
     /** The store takes everything but this, now and later, such as a text that is too long. */
     REFUSED,
     /** It took longer than anybody may ask for; the same takes as long again. */

@@ -26,6 +26,9 @@ final class SqlFailures {
   /** H2's and MySQL's: somebody else has stored it meanwhile, and who asks again finds it. */
   private static final Set<Integer> DUPLICATE_CODES = Set.of(23505, 1062);
 
+  /** SQLSTATE of who waited for another in a circle, and was ended for the other's sake. */
+  private static final String DEADLOCK = "40001";
+
   /** Connector/J's, of a statement that is larger than the server takes. */
   private static final String TOO_LARGE = "S1000";
 
@@ -47,10 +50,10 @@ final class SqlFailures {
     if (said instanceof SQLTimeoutException || said.getErrorCode() == TOO_SLOW_CODE) {
       return StoreException.Kind.TOO_SLOW;
     }
-    if (DUPLICATE_CODES.contains(said.getErrorCode())) {
-      return StoreException.Kind.UNAVAILABLE;
-    }
     String state = said.getSQLState() == null ? "" : said.getSQLState();
+    if (DUPLICATE_CODES.contains(said.getErrorCode()) || state.equals(DEADLOCK)) {
+      return StoreException.Kind.OVERTAKEN;
+    }
     boolean isRefused =
         said instanceof SQLDataException
             || said instanceof SQLIntegrityConstraintViolationException

@@ -54,6 +54,7 @@ public final class ErrorResponse {
     Texts texts = Texts.of(request);
     return switch (failure.kind()) {
       case UNAVAILABLE -> texts.get("problem.databaseUnavailable");
+      case OVERTAKEN -> texts.get("problem.overtaken");
       case REFUSED -> texts.get("problem.cannotBeStored", String.valueOf(failure.getMessage()));
       case TOO_SLOW -> texts.get("problem.databaseTooSlow");
     };

@@ -104,7 +104,10 @@ class FleetEditTest extends HallFleetTest {
     EventRecord told = stage.store.history(id).getLast();
     assertEquals("task.deleted", told.kind());
     assertEquals("Max deleted the task box", told.text());
-    assertInstanceOf(Answer.Conflict.class, answer(stage.fleet.deleteTask(ended, "Max")), "twice");
+    assertEquals(
+        new Answer.Unknown<>(Phrase.TASK_WAS_DELETED_BEFORE.with(id)),
+        answer(stage.fleet.deleteTask(ended, "Max")),
+        "twice");
     assertEquals(1, kinds(id, "task.deleted"));
   }
 

@@ -13,6 +13,7 @@ import org.toqa.grid.FloorMap;
 public final class FloorsInMemory implements FloorStore {
   private final List<FloorMap> floors = new ArrayList<>();
   private final Map<String, FloorDraft> drafts = new HashMap<>();
+  private Runnable whileRemoving = () -> {};
 
   private FloorsInMemory(List<FloorMap> floors) {
     this.floors.addAll(floors);
@@ -32,8 +33,14 @@ public final class FloorsInMemory implements FloorStore {
     return floors.stream().noneMatch(f -> f.name().equalsIgnoreCase(map.name())) && floors.add(map);
   }
 
+  /** What happens after it is decided that a floor is removed, and before it is. */
+  synchronized void setWhileRemoving(Runnable meanwhile) {
+    whileRemoving = meanwhile;
+  }
+
   @Override
   public synchronized void removeFloor(String floor, Change change) {
+    whileRemoving.run();
     floors.removeIf(f -> f.name().equals(floor));
   }
 

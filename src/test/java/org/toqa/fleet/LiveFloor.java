@@ -74,6 +74,7 @@ final class LiveFloor {
   final AgentFleet fleet;
   final Jdbi jdbi;
   final JdbiFleetStore store;
+  final FloorsInMemory floors;
 
   /** Of all bodies, at each step of the world. */
   private final ClearanceJudge truth;
@@ -175,9 +176,10 @@ final class LiveFloor {
                 gateways.apply(robots),
                 gateway != null, // whose robots are not paired here
                 1));
+    floors = FloorsInMemory.of(floor);
     fleet =
         new AgentFleet(
-            FloorsInMemory.of(floor),
+            floors,
             store,
             new JdbiScheduleStore(database.jdbi()),
             links,

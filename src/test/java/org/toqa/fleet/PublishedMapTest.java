@@ -24,6 +24,8 @@ import org.toqa.grid.OccupancyGrid;
 import org.toqa.grid.Place;
 import org.toqa.mission.TaskState;
 import org.toqa.sim.SimulatedFloor;
+import org.toqa.wording.Phrase;
+import org.toqa.wording.Sentence;
 
 /** A map comes in force while robots drive. */
 class PublishedMapTest {
@@ -105,6 +107,24 @@ class PublishedMapTest {
     assertTrue(
         refused(editing.publish("cellar", saved, "Max")).contains(taken),
         "it is not published either");
+  }
+
+  @Test
+  void robotForAFloorThatIsBeingRemovedIsToldThatThereIsNone() throws Exception {
+    FloorEditing editing = live.fleet.floorEditing();
+    FloorDrawing hall = live.fleet.floors().getFirst().drawing();
+    accepted(editing.addFloor("cellar", FloorDrawing.of(hall.walls()), "Max"));
+    List<CompletionStage<Answer<RobotView>>> robots = new ArrayList<>();
+    RobotOrder order = new RobotOrder("r9", "127.0.0.1", 1, 5, null, null, null, "cellar", null);
+    live.floors.setWhileRemoving(() -> robots.add(live.fleet.addRobot(order, "Max")));
+
+    accepted(editing.removeFloor("cellar", "Max"));
+
+    Answer<RobotView> answer = robots.getFirst().toCompletableFuture().get(10, TimeUnit.SECONDS);
+    assertEquals(
+        new Answer.Rejected<>(
+            "floor", Phrase.NO_SUCH_FLOOR_BUT.with("cellar", Sentence.names(List.of("hall")))),
+        answer);
   }
 
   private static <T> String refused(CompletionStage<Answer<T>> answer) throws Exception {

@@ -109,7 +109,7 @@ class DatabasePoolsTest extends FleetDatabaseTest {
             StoreException.class,
             () -> store.addTasks(List.of(new Submission(task("crate"), key))));
 
-    assertEquals(StoreException.Kind.UNAVAILABLE, again.kind());
+    assertEquals(StoreException.Kind.OVERTAKEN, again.kind());
   }
 
   private void openDatabaseAgain() {

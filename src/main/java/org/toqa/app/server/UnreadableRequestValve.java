@@ -14,7 +14,8 @@ import org.toqa.web.access.SecurityHeadersFilter;
  */
 final class UnreadableRequestValve extends ErrorReportValve {
   private static final String UNREADABLE =
-      "This request cannot be read: its address or its headers are too long, or it is not HTTP.\n";
+      "This request cannot be read: its address or its headers are too long, its address has what"
+          + " none may have, such as %2F or %00, or it is not HTTP.\n";
 
   private static final String NOT_NOW = "The server cannot answer now. Try again in a minute.\n";
 

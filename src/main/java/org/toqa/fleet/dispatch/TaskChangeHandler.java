@@ -108,8 +108,11 @@ final class TaskChangeHandler {
         () -> {
           if (isDeleted.get()) {
             self.tell(new DispatchMessage.TaskDeleted(m));
-          } else {
-            refuse(m.replyTo(), Phrase.TASK_HAS_NOT_ENDED.with(task));
+          } else { // it has ended, so it is gone
+            m.replyTo()
+                .tell(
+                    StatusReply.success(
+                        new Answer.Unknown<>(Phrase.TASK_WAS_DELETED_BEFORE.with(task))));
           }
         },
         failure ->

@@ -326,9 +326,9 @@ public final class AgentFleet implements Fleet, AutoCloseable {
       return CompletableFuture.completedFuture(
           new Answer.Rejected<>("name", Phrase.ROBOT_NAME_TAKEN.with(order.name())));
     }
-    return floor
-        .get()
-        .ask(agents -> agents.addRobot(order, user))
+    return FloorEntry.orIfRemoved(
+            floor.get().ask(agents -> agents.addRobot(order, user)),
+            () -> new Answer.Rejected<>("floor", floors.noSuchFloor(order.floor())))
         .whenComplete(
             (answer, failure) -> {
               if (!(answer instanceof Answer.Accepted<RobotView>)) {

@@ -168,7 +168,7 @@ final class FloorEditor implements FloorEditing, AutoCloseable {
     String name = entry.name();
     AtomicReference<@Nullable Sentence> objection = new AtomicReference<>();
     boolean isRemoved =
-        entry.end(
+        entry.remove(
             () -> {
               objection.set(objectionToRemoval(entry).orElse(null));
               if (objection.get() != null) {

@@ -14,6 +14,7 @@ import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
+import org.toqa.fleet.Answer;
 import org.toqa.fleet.dispatch.FloorFleet;
 import org.toqa.fleet.dispatch.LatestSnapshot;
 import org.toqa.grid.FloorMap;
@@ -108,6 +109,28 @@ final class FloorEntry {
             })
         .thenCompose(question)
         .whenComplete((answer, failure) -> leave(now));
+  }
+
+  /**
+   * What its agents answered, or instead of them, where the floor was removed before they could be
+   * asked, what is said of a floor that there is not.
+   */
+  static <T> CompletionStage<Answer<T>> orIfRemoved(
+      CompletionStage<Answer<T>> asked, Supplier<Answer<T>> otherwise) {
+    return asked.exceptionallyCompose(
+        failure ->
+            isRemoval(failure)
+                ? CompletableFuture.completedFuture(otherwise.get())
+                : CompletableFuture.failedFuture(failure));
+  }
+
+  private static boolean isRemoval(Throwable failure) {
+    for (Throwable cause = failure; cause != null; cause = cause.getCause()) {
+      if (cause instanceof RemovedException) {
+        return true;
+      }
+    }
+    return false;
   }
 
   /** The same of what must not wait for a change of the map. */
@@ -217,11 +240,15 @@ final class FloorEntry {
   }
 
   /**
-   * Decides, while nothing is asked of its agents, whether it ends for good.
+   * Decides, while nothing is asked of its agents, whether it is removed.
    *
-   * @return whether it has
+   * @return whether it was
    */
-  boolean end(BooleanSupplier decision) {
+  boolean remove(BooleanSupplier decision) {
+    return end(decision, new RemovedException());
+  }
+
+  private boolean end(BooleanSupplier decision, RuntimeException toldLater) {
     Term gone = new Term();
     Term ending = beginEnding(gone);
     boolean ends = false;
@@ -233,7 +260,7 @@ final class FloorEntry {
       }
     }
     if (ends) {
-      gone.asked.completeExceptionally(new IllegalStateException("The floor is gone."));
+      gone.asked.completeExceptionally(toldLater);
       endAgents();
     }
     return ends;
@@ -241,7 +268,7 @@ final class FloorEntry {
 
   /** Ends its agents for good, once what was asked is answered. */
   void close() {
-    var _ = end(() -> true);
+    var _ = end(() -> true, new IllegalStateException("The floor is closed."));
   }
 
   /** From now on the other term is asked; waits until all that was asked before is answered. */
@@ -269,5 +296,10 @@ final class FloorEntry {
       ended.close();
       agents = null;
     }
+  }
+
+  /** Who asks after it is gone. */
+  private static final class RemovedException extends RuntimeException {
+    private static final long serialVersionUID = 1;
   }
 }

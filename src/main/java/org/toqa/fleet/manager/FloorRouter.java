@@ -90,6 +90,8 @@ final class FloorRouter {
 
   private static <T> CompletionStage<Answer<T>> answered(
       Optional<CompletionStage<Answer<T>>> asked, Supplier<Answer<T>> otherwise) {
-    return asked.orElseGet(() -> CompletableFuture.completedFuture(otherwise.get()));
+    return asked
+        .map(answer -> FloorEntry.orIfRemoved(answer, otherwise))
+        .orElseGet(() -> CompletableFuture.completedFuture(otherwise.get()));
   }
 }

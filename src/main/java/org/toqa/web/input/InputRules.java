@@ -98,7 +98,7 @@ public final class InputRules {
 
   public String taskName(String field, @Nullable String given) {
     String name = given == null ? "" : given.strip();
-    if (name.isEmpty()) {
+    if (!hasLetters(name)) {
       refuse(field, "error.taskName.missing");
     } else if (name.length() > MAX_TASK_NAME_LENGTH) {
       refuse(field, "error.taskName.long", MAX_TASK_NAME_LENGTH, name.length());
@@ -458,7 +458,7 @@ public final class InputRules {
   /** What its owner calls a token. */
   public String tokenName(String field, @Nullable String given) {
     String name = given == null ? "" : given.strip();
-    if (name.isEmpty()
+    if (!hasLetters(name)
         || name.length() > MAX_TOKEN_NAME_LENGTH
         || name.codePoints().anyMatch(InputRules::isUnprintable)) {
       refuse(field, "error.tokenName", MAX_TOKEN_NAME_LENGTH);
@@ -540,6 +540,16 @@ public final class InputRules {
 
   private void refuse(String field, String key, Object... values) {
     errors.add(field, texts.get(key, values));
+  }
+
+  /** Whether somebody who reads it sees anything. */
+  private static boolean hasLetters(String name) {
+    return name.codePoints()
+        .anyMatch(
+            letter ->
+                !Character.isWhitespace(letter)
+                    && !Character.isSpaceChar(letter)
+                    && Character.getType(letter) != Character.FORMAT);
   }
 
   private static boolean isUnprintable(int codePoint) {

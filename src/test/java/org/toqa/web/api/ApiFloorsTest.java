@@ -160,6 +160,8 @@ class ApiFloorsTest extends WebServerTest {
         "[1,2] | [1,2.5] | occupied",
         "[1,2] | \"x\" | occupied",
         "\"name\":\"P1\" | \"name\":\" \" | parking.0.name",
+        "\"name\":\"P1\" | \"name\":\"\\u200b\\u00a0\" | parking.0.name",
+        "\"name\":\"P1\" | \"name\":\"\\ud800\" | parking.0.name",
         "\"name\":\"P1\" | \"name\":\"a\\tb\" | parking.0.name",
         "\"name\":\"P1\" | \"name\":\"Dock \\\"A\\\"\" | parking.0.name",
         "\"headingDegrees\":90 | \"headingDegrees\":361 | stations.0.headingDegrees",

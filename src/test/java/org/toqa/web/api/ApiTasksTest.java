@@ -226,6 +226,7 @@ class ApiTasksTest extends ApiTestServer {
           {"name":"x","load":1e999,"start":{"station":"Dock A"},"goal":{"station":"Shelf 3"}} | 422 | The weight must be above 0 and at most 100,000 kg.
           {"name":"x","load":2,"start":{"x":1e300,"y":1},"goal":{"station":"Shelf 3"}} | 422 | Coordinates must lie within 1,000,000 m of the map’s origin.
           {"name":"  ","load":2,"start":{"station":"Dock A"},"goal":{"station":"Shelf 3"}} | 422 | Enter a task name.
+          {"name":"\\u200b\\u00a0","load":2,"start":{"station":"Dock A"},"goal":{"station":"Shelf 3"}} | 422 | Enter a task name.
           {"name":"a\\u0000b","load":2,"start":{"station":"Dock A"},"goal":{"station":"Shelf 3"}} | 422 | The task name contains characters that cannot be shown, such as line breaks. Remove them.
           {"name":"\\ud800","load":2,"start":{"station":"Dock A"},"goal":{"station":"Shelf 3"}} | 422 | The task name contains characters that cannot be shown, such as line breaks. Remove them.
           {"name":"x","load":2,"start":{"station":"Dock A"},"goal":{"station":"Shelf 3"},"priority":1.5} | 422 | The priority is a whole number from -100 to 100.
