@@ -19,6 +19,7 @@ import org.toqa.grid.FloorMap;
  *     more
  * @param due when its next task is put in; null: never again
  * @param lastTask the one that it put in last, if any
+ * @param template what its order was made from; null: from no template
  */
 public record Schedule(
     long id,
@@ -31,7 +32,25 @@ public record Schedule(
     boolean resting,
     Instant createdAt,
     @Nullable Instant due,
-    @Nullable Long lastTask) {
+    @Nullable Long lastTask,
+    @Nullable TemplateUse template) {
+
+  /** One whose order was made from no template. */
+  public Schedule(
+      long id,
+      TaskOrder order,
+      Recurrence recurrence,
+      @Nullable Instant until,
+      boolean paused,
+      String user,
+      @Nullable Long owner,
+      boolean resting,
+      Instant createdAt,
+      @Nullable Instant due,
+      @Nullable Long lastTask) {
+    this(
+        id, order, recurrence, until, paused, user, owner, resting, createdAt, due, lastTask, null);
+  }
 
   /** One that is not stored yet. */
   public static Schedule of(
@@ -54,7 +73,35 @@ public record Schedule(
 
   private Schedule withDue(@Nullable Instant moment) {
     return new Schedule(
-        id, order, recurrence, until, paused, user, owner, resting, createdAt, moment, lastTask);
+        id,
+        order,
+        recurrence,
+        until,
+        paused,
+        user,
+        owner,
+        resting,
+        createdAt,
+        moment,
+        lastTask,
+        template);
+  }
+
+  /** The same, whose order was made from that template. */
+  public Schedule from(@Nullable TemplateUse use) {
+    return new Schedule(
+        id,
+        order,
+        recurrence,
+        until,
+        paused,
+        user,
+        owner,
+        resting,
+        createdAt,
+        due,
+        lastTask,
+        use);
   }
 
   /** The first moment after that one at which it is due, if there is one. */

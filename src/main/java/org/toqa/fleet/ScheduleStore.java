@@ -3,6 +3,7 @@ package org.toqa.fleet;
 import java.time.Instant;
 import java.util.List;
 import java.util.Optional;
+import java.util.OptionalLong;
 import java.util.UUID;
 import org.jspecify.annotations.Nullable;
 
@@ -26,9 +27,9 @@ public interface ScheduleStore {
 
   /**
    * @param key idempotency key: what comes again with it is stored once
-   * @return its id
+   * @return its id; empty: the template of its order is another one by now, or gone
    */
-  long add(Schedule schedule, UUID key);
+  OptionalLong add(Schedule schedule, UUID key);
 
   /**
    * What was due is done.

@@ -16,10 +16,22 @@ public interface Schedules {
    * Adds a schedule whose order would be accepted now.
    *
    * @param until the last moment at which it can be due; null: it has no end
+   * @param template what the order was made from; null: from no template
    * @param key the same one for the same order, of which one schedule is made
    */
   CompletionStage<KeyedAnswer<Schedule>> add(
-      TaskOrder order, Recurrence recurrence, @Nullable Instant until, String user, UUID key);
+      TaskOrder order,
+      Recurrence recurrence,
+      @Nullable Instant until,
+      @Nullable TemplateUse template,
+      String user,
+      UUID key);
+
+  /** Adds one whose order was made from no template. */
+  default CompletionStage<KeyedAnswer<Schedule>> add(
+      TaskOrder order, Recurrence recurrence, @Nullable Instant until, String user, UUID key) {
+    return add(order, recurrence, until, null, user, key);
+  }
 
   /** Lets it be due no more until it is resumed. One that is paused stays so. */
   CompletionStage<Answer<Schedule>> pause(long schedule, String user);

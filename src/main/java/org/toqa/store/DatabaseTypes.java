@@ -73,6 +73,7 @@ final class DatabaseTypes {
     register(jdbi, JdbiOrderArchive.OrderRow.class);
     register(jdbi, TaskTable.AssignedRobotRow.class);
     register(jdbi, ScheduleRow.class);
+    register(jdbi, TaskTemplateRow.class);
     register(jdbi, LeftBehind.Item.class);
     register(jdbi, EventTable.EventRow.class);
     register(jdbi, JdbiSessionStore.ListedSessionRow.class);

@@ -8,6 +8,7 @@ import java.time.ZoneId;
 import java.util.List;
 import java.util.Objects;
 import java.util.Optional;
+import java.util.OptionalLong;
 import java.util.Set;
 import java.util.UUID;
 import java.util.stream.Collectors;
@@ -24,6 +25,7 @@ import org.toqa.fleet.Schedule;
 import org.toqa.fleet.ScheduleStore;
 import org.toqa.fleet.TaskOrder;
 import org.toqa.fleet.TaskOrder.Where;
+import org.toqa.fleet.TemplateUse;
 import org.toqa.geometry.Vec2;
 import org.toqa.mission.TransportTask.LoadSize;
 import org.toqa.wording.Phrase;
@@ -32,11 +34,13 @@ import org.toqa.wording.Phrase;
 public final class JdbiScheduleStore implements ScheduleStore {
   private static final String SELECT =
       """
-      select s.id, s.name, user_name, user_id, coalesce(u.disabled, true) as resting, floor, load_kg,
+      select s.id, s.name, s.user_name, s.user_id, coalesce(u.disabled, true) as resting, s.floor, load_kg,
         load_length, load_width, start_x, start_y, start_station, goal_x, goal_y, goal_station,
         priority, kind, first_at, every_s, weekdays, time_of_day, zone, until_at, paused,
-        s.created_at, due_at, last_task, only_robots, stops
+        s.created_at, due_at, last_task, only_robots, stops, template_id, template_values,
+        t.name as template_name, t.changed_at as template_changed_at
       from schedules s left join users u on u.id = s.user_id
+        left join task_templates t on t.id = s.template_id
       """;
 
   private final SqlExecutor sql;
@@ -80,16 +84,20 @@ public final class JdbiScheduleStore implements ScheduleStore {
   }
 
   @Override
-  public long add(Schedule schedule, UUID key) {
+  public OptionalLong add(Schedule schedule, UUID key) {
     return sql.inTransaction(
-        h ->
-            idOf(h, key)
-                .orElseGet(
-                    () -> {
-                      long id = insert(h, schedule, key);
-                      EventTable.addAll(h, List.of(added(schedule, id)));
-                      return id;
-                    }));
+        h -> {
+          Optional<Long> before = idOf(h, key);
+          if (before.isPresent()) {
+            return OptionalLong.of(before.get());
+          }
+          if (!TemplateTable.isStill(h, schedule.template())) {
+            return OptionalLong.empty();
+          }
+          long id = insert(h, schedule, key);
+          EventTable.addAll(h, List.of(added(schedule, id)));
+          return OptionalLong.of(id);
+        });
   }
 
   private static EventRecord added(Schedule schedule, long id) {
@@ -110,38 +118,63 @@ public final class JdbiScheduleStore implements ScheduleStore {
   }
 
   private static long insert(Handle h, Schedule schedule, UUID key) {
-    TaskOrder order = schedule.order();
-    LoadSize size = order.size();
+    TemplateUse template = schedule.template();
     Update update =
         h.createUpdate(
                 """
                 insert into schedules (submission, name, user_name, user_id, floor, load_kg, load_length,
                   load_width, start_x, start_y, start_station, goal_x, goal_y, goal_station,
                   priority, kind, first_at, every_s, weekdays, time_of_day, zone, until_at, paused,
-                  created_at, due_at, only_robots, stops)
+                  created_at, due_at, only_robots, stops, template_id, template_values)
                 values (:submission, :name, :user, :owner, :floor, :load, :length, :width, :startX, :startY,
                   :startStation, :goalX, :goalY, :goalStation, :priority, :kind, :first, :every,
-                  :weekdays, :time, :zone, :until, :paused, :at, :due, :onlyRobots, :stops)
+                  :weekdays, :time, :zone, :until, :paused, :at, :due, :onlyRobots, :stops, :template,
+                  :values)
                 """)
             .bind("submission", key)
-            .bind("name", order.name())
             .bind("user", schedule.user())
             .bind("owner", AccountTable.idOf(h, schedule.user()).orElse(null))
-            .bind("floor", order.floor())
-            .bind("load", order.load())
-            .bind("length", size == null ? null : size.length())
-            .bind("width", size == null ? null : size.width())
-            .bind("priority", order.priority())
             .bind("until", schedule.until())
             .bind("paused", schedule.paused())
             .bind("at", schedule.createdAt())
             .bind("due", schedule.due())
-            .bind("onlyRobots", RobotNames.write(order.onlyRobots()))
-            .bind("stops", StopsJson.writeOrder(order.stops()));
-    bind(update, "start", order.start());
-    bind(update, "goal", order.goal());
+            .bind("template", template == null ? null : template.template())
+            .bind("values", template == null ? null : template.values());
+    bind(update, schedule.order());
     bind(update, RecurrenceColumns.of(schedule.recurrence()));
     return update.executeAndReturnGeneratedKeys("id").mapTo(Long.class).one();
+  }
+
+  /** Its tasks are ordered so from now on. */
+  static void saveOrder(Handle h, long id, TaskOrder order) {
+    Update update =
+        h.createUpdate(
+                """
+                update schedules set name = :name, floor = :floor, load_kg = :load, load_length = :length,
+                  load_width = :width, start_x = :startX, start_y = :startY,
+                  start_station = :startStation, goal_x = :goalX, goal_y = :goalY,
+                  goal_station = :goalStation, priority = :priority, only_robots = :onlyRobots,
+                  stops = :stops
+                where id = :id
+                """)
+            .bind("id", id);
+    bind(update, order);
+    update.execute();
+  }
+
+  private static void bind(Update update, TaskOrder order) {
+    LoadSize size = order.size();
+    update
+        .bind("name", order.name())
+        .bind("floor", order.floor())
+        .bind("load", order.load())
+        .bind("length", size == null ? null : size.length())
+        .bind("width", size == null ? null : size.width())
+        .bind("priority", order.priority())
+        .bind("onlyRobots", RobotNames.write(order.onlyRobots()))
+        .bind("stops", StopsJson.writeOrder(order.stops()));
+    bind(update, "start", order.start());
+    bind(update, "goal", order.goal());
   }
 
   private static void bind(Update update, String end, Where where) {

@@ -15,6 +15,7 @@ import org.toqa.fleet.Recurrence;
 import org.toqa.fleet.Schedule;
 import org.toqa.fleet.TaskOrder;
 import org.toqa.fleet.TaskOrder.StopOrder;
+import org.toqa.fleet.TemplateUse;
 
 /**
  * A row of the table of schedules.
@@ -22,6 +23,7 @@ import org.toqa.fleet.TaskOrder.StopOrder;
  * @param kind ONCE, EVERY or WEEKLY; which of the next five columns are null depends on it
  * @param everyS seconds
  * @param resting whether its user is disabled, or none any more
+ * @param templateId what its order was made from; null as the other columns of it: from no template
  * @param weekdays names of {@link DayOfWeek} with commas between
  */
 record ScheduleRow(
@@ -49,7 +51,11 @@ record ScheduleRow(
     @Nullable Instant dueAt,
     @Nullable Long lastTask,
     @Nullable String onlyRobots,
-    @Nullable String stops) {
+    @Nullable String stops,
+    @Nullable Long templateId,
+    @Nullable String templateName,
+    @Nullable Instant templateChangedAt,
+    @Nullable String templateValues) {
 
   Schedule toSchedule() {
     List<StopOrder> way = StopsJson.readOrder(stops);
@@ -76,7 +82,18 @@ record ScheduleRow(
         resting,
         createdAt,
         dueAt,
-        lastTask);
+        lastTask,
+        template());
+  }
+
+  private @Nullable TemplateUse template() {
+    return templateId == null
+        ? null
+        : new TemplateUse(
+            templateId,
+            Objects.requireNonNull(templateName),
+            Objects.requireNonNull(templateChangedAt),
+            Objects.requireNonNull(templateValues));
   }
 
   private Recurrence recurrence() {

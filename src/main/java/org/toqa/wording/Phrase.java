@@ -383,6 +383,7 @@ public enum Phrase {
   NO_SUCH_SCHEDULE,
   SCHEDULE_NEVER_DUE,
   TOO_MANY_SCHEDULES,
+  TEMPLATE_CHANGED,
 
   // Why a robot and the server do not come together
   NOT_PAIRED,
@@ -564,6 +565,9 @@ public enum Phrase {
   SCHEDULE_RESTED,
   SCHEDULE_MISSED,
   SCHEDULE_REFUSED,
+  TEMPLATE_ADDED,
+  TEMPLATE_CHANGED_BY,
+  TEMPLATE_DELETED,
 
   // What happened to a user
   USER_ADDED,

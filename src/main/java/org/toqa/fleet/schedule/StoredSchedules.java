@@ -5,6 +5,7 @@ import java.time.InstantSource;
 import java.util.List;
 import java.util.Objects;
 import java.util.Optional;
+import java.util.OptionalLong;
 import java.util.UUID;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionStage;
@@ -24,6 +25,7 @@ import org.toqa.fleet.Schedule;
 import org.toqa.fleet.ScheduleStore;
 import org.toqa.fleet.Schedules;
 import org.toqa.fleet.TaskOrder;
+import org.toqa.fleet.TemplateUse;
 import org.toqa.wording.Phrase;
 
 /**
@@ -51,11 +53,16 @@ public final class StoredSchedules implements Schedules {
 
   @Override
   public CompletionStage<KeyedAnswer<Schedule>> add(
-      TaskOrder order, Recurrence recurrence, @Nullable Instant until, String user, UUID key) {
+      TaskOrder order,
+      Recurrence recurrence,
+      @Nullable Instant until,
+      @Nullable TemplateUse template,
+      String user,
+      UUID key) {
     return inBackground(
         () ->
             answerFromBefore(order, recurrence, until, key)
-                .orElseGet(() -> addNew(order, recurrence, until, user, key)));
+                .orElseGet(() -> addNew(order, recurrence, until, template, user, key)));
   }
 
   private Optional<KeyedAnswer<Schedule>> answerFromBefore(
@@ -72,7 +79,12 @@ public final class StoredSchedules implements Schedules {
   }
 
   private KeyedAnswer<Schedule> addNew(
-      TaskOrder order, Recurrence recurrence, @Nullable Instant until, String user, UUID key) {
+      TaskOrder order,
+      Recurrence recurrence,
+      @Nullable Instant until,
+      @Nullable TemplateUse template,
+      String user,
+      UUID key) {
     List<Rejection> rejections =
         fleet.rejections(List.of(order), user).toCompletableFuture().join();
     if (!rejections.isEmpty()) {
@@ -87,7 +99,8 @@ public final class StoredSchedules implements Schedules {
                     () ->
                         new KeyedAnswer.Answered<>(
                             store(
-                                Schedule.of(order, recurrence, until, user, clock.instant()),
+                                Schedule.of(order, recurrence, until, user, clock.instant())
+                                    .from(template),
                                 key))));
   }
 
@@ -98,7 +111,10 @@ public final class StoredSchedules implements Schedules {
     if (store.schedules().size() >= MAX_SCHEDULES) {
       return new Answer.Rejected<>(null, Phrase.TOO_MANY_SCHEDULES.with(MAX_SCHEDULES));
     }
-    return new Answer.Accepted<>(store.schedule(store.add(schedule, key)).orElseThrow());
+    OptionalLong id = store.add(schedule, key);
+    return id.isPresent()
+        ? new Answer.Accepted<>(store.schedule(id.getAsLong()).orElseThrow())
+        : new Answer.Rejected<>(null, Phrase.TEMPLATE_CHANGED.with());
   }
 
   @Override

@@ -14,6 +14,7 @@ import org.toqa.web.Texts;
 import org.toqa.web.input.FieldErrors;
 import org.toqa.web.input.Fields;
 import org.toqa.web.input.FloorQueryReader;
+import org.toqa.web.input.JsonFields;
 import org.toqa.web.input.Version;
 import org.toqa.wording.Sentence;
 
@@ -40,7 +41,7 @@ public abstract class ApiHandler {
    */
   static <T> T readBody(HttpServletRequest request, Function<Fields, T> reader) throws IOException {
     FieldErrors errors = new FieldErrors();
-    T read = reader.apply(JsonFields.of(request, errors));
+    T read = reader.apply(JsonBody.read(request, errors));
     throwIfAny(errors);
     return read;
   }
@@ -53,7 +54,7 @@ public abstract class ApiHandler {
   static <T> T readLargeBody(HttpServletRequest request, Function<JsonFields, T> reader)
       throws IOException {
     FieldErrors errors = new FieldErrors();
-    T read = reader.apply(JsonFields.of(request, errors, DrawingReader.MAX_BYTES));
+    T read = reader.apply(JsonBody.read(request, errors, DrawingReader.MAX_BYTES));
     throwIfAny(errors);
     return read;
   }

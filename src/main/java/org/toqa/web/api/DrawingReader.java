@@ -21,6 +21,7 @@ import org.toqa.grid.OccupancyGrid;
 import org.toqa.grid.OneWay;
 import org.toqa.grid.Place;
 import org.toqa.grid.SpeedLimit;
+import org.toqa.web.input.JsonFields;
 
 /**
  * Reads what {@link DrawingJson} writes. Places may lie in walls, or off the grid: a drawing is

@@ -17,6 +17,7 @@ import org.toqa.web.FloorSummary;
 import org.toqa.web.RequestPath;
 import org.toqa.web.Texts;
 import org.toqa.web.access.Caller;
+import org.toqa.web.input.JsonFields;
 import org.toqa.wording.Phrase;
 
 /** The draft of a floor: what is to be published. */

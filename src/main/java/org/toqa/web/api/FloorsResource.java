@@ -10,6 +10,7 @@ import org.toqa.web.RequestPath;
 import org.toqa.web.access.Caller;
 import org.toqa.web.input.FloorOrder;
 import org.toqa.web.input.FloorOrderReader;
+import org.toqa.web.input.JsonFields;
 
 /** All floors, and new ones. */
 public final class FloorsResource extends ApiHandler {

@@ -20,6 +20,7 @@ import org.toqa.web.Texts;
 import org.toqa.web.access.Caller;
 import org.toqa.web.input.DeviceReader;
 import org.toqa.web.input.FieldErrors;
+import org.toqa.web.input.JsonFields;
 
 /** Devices of the network and their addresses. */
 public final class NetworkResource extends ApiHandler {
@@ -123,7 +124,7 @@ public final class NetworkResource extends ApiHandler {
   private static Device stored(
       HttpServletRequest request, Function<DeviceOrder, DeviceAnswer> network) throws IOException {
     FieldErrors errors = new FieldErrors();
-    JsonFields fields = JsonFields.of(request, errors);
+    JsonFields fields = JsonBody.read(request, errors);
     DeviceOrder order = DeviceReader.read(fields);
     throwIfAny(errors);
     return switch (network.apply(order)) {

@@ -25,6 +25,7 @@ import org.toqa.web.Texts;
 import org.toqa.web.access.Caller;
 import org.toqa.web.input.FieldErrors;
 import org.toqa.web.input.Fields;
+import org.toqa.web.input.JsonFields;
 import org.toqa.web.input.NoticePreferencesReader;
 import org.toqa.web.input.NoticeQueryReader;
 import org.toqa.wording.Sentence;
@@ -215,7 +216,7 @@ public final class NoticesResource extends ApiHandler {
   public static void changeSettings(HttpServletRequest request, HttpServletResponse response)
       throws IOException {
     FieldErrors errors = new FieldErrors();
-    JsonFields fields = JsonFields.of(request, errors);
+    JsonFields fields = JsonBody.read(request, errors);
     NoticePreferences read = NoticePreferencesReader.read(fields, fields::flag);
     throwIfAny(errors);
     services(request).notices().setPreferences(Caller.of(request).account().id(), read);

@@ -37,7 +37,7 @@ public final class OrderResource extends ApiHandler {
 
   private static MissionEvent.Cancel readCancel(HttpServletRequest request) throws IOException {
     Caller user = Caller.of(request);
-    if (!JsonFields.hasBody(request)) {
+    if (!JsonBody.isIn(request)) {
       return new MissionEvent.Cancel(user.name(), null);
     }
     return readBody(

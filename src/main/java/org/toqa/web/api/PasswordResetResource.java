@@ -11,6 +11,7 @@ import org.toqa.web.Sites;
 import org.toqa.web.Texts;
 import org.toqa.web.input.FieldErrors;
 import org.toqa.web.input.InputRules;
+import org.toqa.web.input.JsonFields;
 
 /** For who forgot his password: a link by e-mail, and the new password by the link's secret. */
 public final class PasswordResetResource extends ApiHandler {
@@ -18,7 +19,7 @@ public final class PasswordResetResource extends ApiHandler {
       throws IOException {
     Texts texts = Texts.of(request);
     FieldErrors errors = new FieldErrors();
-    JsonFields fields = JsonFields.of(request, errors);
+    JsonFields fields = JsonBody.read(request, errors);
     String user = fields.text("user");
     fields.refuseUnknown();
     if (user == null) {
@@ -43,7 +44,7 @@ public final class PasswordResetResource extends ApiHandler {
       throws IOException {
     Texts texts = Texts.of(request);
     FieldErrors errors = new FieldErrors();
-    JsonFields fields = JsonFields.of(request, errors);
+    JsonFields fields = JsonBody.read(request, errors);
     String secret = Objects.requireNonNullElse(fields.text("secret"), "");
     String given = fields.text("password");
     fields.refuseUnknown();

@@ -12,6 +12,7 @@ import org.toqa.web.Texts;
 import org.toqa.web.access.Caller;
 import org.toqa.web.access.RequestOrigin;
 import org.toqa.web.input.FieldErrors;
+import org.toqa.web.input.JsonFields;
 
 /** A name and a password for a bearer token, and its end. */
 public final class SessionResource extends ApiHandler {
@@ -19,7 +20,7 @@ public final class SessionResource extends ApiHandler {
       throws IOException {
     Texts texts = Texts.of(request);
     FieldErrors errors = new FieldErrors();
-    JsonFields fields = JsonFields.of(request, errors);
+    JsonFields fields = JsonBody.read(request, errors);
     String name = fields.text("name");
     String password = fields.text("password");
     fields.refuseUnknown();

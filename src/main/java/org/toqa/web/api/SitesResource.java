@@ -9,6 +9,7 @@ import org.toqa.web.SiteSummary;
 import org.toqa.web.Sites;
 import org.toqa.web.access.Caller;
 import org.toqa.web.input.FieldErrors;
+import org.toqa.web.input.JsonFields;
 import org.toqa.web.input.SiteOrder;
 
 /** All sites, for administrators, who make some and delete some. */
@@ -25,7 +26,7 @@ public final class SitesResource extends ApiHandler {
   public static void add(HttpServletRequest request, HttpServletResponse response)
       throws IOException {
     FieldErrors errors = new FieldErrors();
-    JsonFields fields = JsonFields.of(request, errors);
+    JsonFields fields = JsonBody.read(request, errors);
     SiteOrder order = SiteOrder.read(fields);
     fields.refuseUnknown();
     throwIfAny(errors);

@@ -17,6 +17,7 @@ import org.toqa.web.Tasks;
 import org.toqa.web.Texts;
 import org.toqa.web.access.Caller;
 import org.toqa.web.input.FieldErrors;
+import org.toqa.web.input.JsonFields;
 import org.toqa.web.input.TaskCommandReader;
 import org.toqa.web.input.TaskOrderReader;
 import org.toqa.web.input.Version;
@@ -102,7 +103,7 @@ public final class TaskResource extends ApiHandler {
         response,
         task(request),
         user ->
-            JsonFields.hasBody(request)
+            JsonBody.isIn(request)
                 ? read(request, (reader, fields) -> reader.readGoOn(user, fields.number("stop")))
                 : new MissionEvent.GoOn(user.name(), null));
   }
@@ -114,7 +115,7 @@ public final class TaskResource extends ApiHandler {
         request,
         response,
         user ->
-            JsonFields.hasBody(request)
+            JsonBody.isIn(request)
                 ? read(request, (reader, fields) -> reader.readCancel(user, fields.text("load")))
                 : new MissionEvent.Cancel(user.name(), null));
   }
@@ -171,7 +172,7 @@ public final class TaskResource extends ApiHandler {
       BiFunction<TaskCommandReader, JsonFields, MissionEvent.OperatorCommand> reader)
       throws IOException {
     FieldErrors errors = new FieldErrors();
-    JsonFields fields = JsonFields.of(request, errors);
+    JsonFields fields = JsonBody.read(request, errors);
     MissionEvent.OperatorCommand command =
         reader.apply(new TaskCommandReader(Texts.of(request), errors), fields);
     fields.refuseUnknown();

@@ -14,6 +14,7 @@ import org.toqa.web.Texts;
 import org.toqa.web.access.Caller;
 import org.toqa.web.input.FieldErrors;
 import org.toqa.web.input.InputRules;
+import org.toqa.web.input.JsonFields;
 import org.toqa.web.input.UserCommands;
 import org.toqa.web.input.UserDeletion;
 import org.toqa.web.input.Version;
@@ -46,7 +47,7 @@ public final class UserResource extends ApiHandler {
     Account user = userToChange(request);
     requireVersion(Version.of(user), request);
     FieldErrors errors = new FieldErrors();
-    JsonFields fields = JsonFields.of(request, errors);
+    JsonFields fields = JsonBody.read(request, errors);
     Texts texts = Texts.of(request);
     if (fields.text("role") == null) {
       errors.add("role", texts.get("error.role"));
@@ -103,7 +104,7 @@ public final class UserResource extends ApiHandler {
       throws IOException {
     Account user = userToChange(request);
     FieldErrors errors = new FieldErrors();
-    JsonFields fields = JsonFields.of(request, errors);
+    JsonFields fields = JsonBody.read(request, errors);
     String password = fields.text("password");
     String old = fields.text("old");
     fields.refuseUnknown();
@@ -117,7 +118,7 @@ public final class UserResource extends ApiHandler {
       throws IOException {
     Account user = userToChange(request);
     FieldErrors errors = new FieldErrors();
-    JsonFields fields = JsonFields.of(request, errors);
+    JsonFields fields = JsonBody.read(request, errors);
     String email = fields.text("email");
     String password = fields.text("password");
     fields.refuseUnknown();
@@ -140,7 +141,7 @@ public final class UserResource extends ApiHandler {
       throw Problem.of(403, texts.get("problem.tokenInBrowser")).exception();
     }
     FieldErrors errors = new FieldErrors();
-    JsonFields fields = JsonFields.of(request, errors);
+    JsonFields fields = JsonBody.read(request, errors);
     UserCommands.TokenOrder order =
         new UserCommands.TokenOrder(
             fields.text("name"),

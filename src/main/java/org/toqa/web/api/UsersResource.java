@@ -10,6 +10,7 @@ import org.toqa.web.Texts;
 import org.toqa.web.access.Caller;
 import org.toqa.web.input.FieldErrors;
 import org.toqa.web.input.InputRules;
+import org.toqa.web.input.JsonFields;
 
 /** The users: a manager sees all and adds some, a clerk sees himself. */
 public final class UsersResource extends ApiHandler {
@@ -24,7 +25,7 @@ public final class UsersResource extends ApiHandler {
   public static void add(HttpServletRequest request, HttpServletResponse response)
       throws IOException {
     FieldErrors errors = new FieldErrors();
-    JsonFields fields = JsonFields.of(request, errors);
+    JsonFields fields = JsonBody.read(request, errors);
     Texts texts = Texts.of(request);
     InputRules rules = new InputRules(texts, errors);
     String name = rules.userName("name", fields.text("name"));

@@ -17,8 +17,9 @@ import org.toqa.web.RequestPath;
 import org.toqa.web.Texts;
 import org.toqa.web.access.Caller;
 import org.toqa.web.input.FieldErrors;
-import org.toqa.web.input.WebhookReader;
+import org.toqa.web.input.JsonFields;
 import org.toqa.web.input.WebhookReader.WebhookOrder;
+import org.toqa.web.input.WebhookReader;
 
 /** The webhooks of a site, for its managers. Their secrets are told once. */
 public final class WebhooksResource extends ApiHandler {
@@ -102,7 +103,7 @@ public final class WebhooksResource extends ApiHandler {
     Webhook webhook = webhook(request);
     Notices notices = services(request).notices();
     FieldErrors errors = new FieldErrors();
-    JsonFields fields = JsonFields.of(request, errors);
+    JsonFields fields = JsonBody.read(request, errors);
     WebhookOrder order = WebhookReader.read(fields, notices.addresses());
     boolean enabled = fields.flag("enabled");
     fields.refuseUnknown();

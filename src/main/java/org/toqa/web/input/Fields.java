@@ -10,6 +10,7 @@ import org.toqa.geometry.Vec2;
 import org.toqa.mission.ArmHandling;
 import org.toqa.mission.TransportTask.LoadSize;
 import org.toqa.web.Texts;
+import tools.jackson.databind.JsonNode;
 
 /**
  * The fields of what somebody sent: a form, a JSON object or a line of a table. A field that is
@@ -81,6 +82,11 @@ public interface Fields {
    * @param max a longer list gets a sentence
    */
   default Map<Integer, Vec2> boxTargets(String name, int max) {
+    return Map.of();
+  }
+
+  /** The members of an object by their names, as JSON; none where this kind of input has none. */
+  default Map<String, JsonNode> members(String name) {
     return Map.of();
   }
 

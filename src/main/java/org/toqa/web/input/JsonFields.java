@@ -1,12 +1,11 @@
-package org.toqa.web.api;
+package org.toqa.web.input;
 
-import jakarta.servlet.http.HttpServletRequest;
-import java.io.IOException;
 import java.time.DateTimeException;
 import java.time.Duration;
 import java.time.Instant;
 import java.time.OffsetDateTime;
 import java.util.ArrayList;
+import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
@@ -21,23 +20,16 @@ import org.toqa.geometry.Vec2;
 import org.toqa.mission.ArmHandling;
 import org.toqa.mission.TransportTask.LoadSize;
 import org.toqa.web.Texts;
-import org.toqa.web.input.FieldErrors;
-import org.toqa.web.input.Fields;
-import org.toqa.web.input.InputRules;
-import tools.jackson.core.JacksonException;
-import tools.jackson.core.TokenStreamLocation;
-import tools.jackson.core.exc.StreamConstraintsException;
 import tools.jackson.databind.JsonNode;
+import tools.jackson.databind.node.JsonNodeFactory;
+import tools.jackson.databind.node.ObjectNode;
 
 /**
  * The fields of a JSON object that somebody sent. Each is asked for by its name; what was not asked
  * for is unknown, and {@link #refuseUnknown} says so. A field of the wrong type gets a sentence and
  * counts as missing, as does null.
  */
-final class JsonFields implements Fields {
-  /** Bytes of a body. */
-  private static final int MAX_BODY_BYTES = 64 * 1024;
-
+public final class JsonFields implements Fields {
   private final JsonNode object;
   private final String prefix;
   private final Texts texts;
@@ -51,43 +43,9 @@ final class JsonFields implements Fields {
     this.errors = errors;
   }
 
-  /**
-   * Reads the body.
-   *
-   * @throws Problem.ProblemException when it is not one JSON object of acceptable size
-   */
-  static JsonFields of(HttpServletRequest request, FieldErrors errors) throws IOException {
-    return of(request, errors, MAX_BODY_BYTES);
-  }
-
-  /**
-   * Reads a body that may be larger than others.
-   *
-   * @throws Problem.ProblemException when it is not one JSON object of acceptable size
-   */
-  static JsonFields of(HttpServletRequest request, FieldErrors errors, int maxBytes)
-      throws IOException {
-    Texts texts = Texts.of(request);
-    String mediaType = request.getContentType();
-    if (mediaType == null
-        || !mediaType.split(";", 2)[0].strip().equalsIgnoreCase("application/json")) {
-      throw Problem.of(415, texts.get("problem.mediaType")).exception();
-    }
-    byte[] body = request.getInputStream().readNBytes(maxBytes + 1);
-    if (body.length > maxBytes) {
-      throw Problem.of(413, texts.get("problem.bodySize", maxBytes / 1024)).exception();
-    }
-    JsonNode root = parse(body, texts);
-    if (!root.isObject()) {
-      throw Problem.of(400, texts.get("problem.notAnObject")).exception();
-    }
-    return new JsonFields(root, "", texts, errors);
-  }
-
-  /** Whether the request has a body at all. */
-  static boolean hasBody(HttpServletRequest request) {
-    return request.getContentLengthLong() != 0
-        && (request.getContentLengthLong() > 0 || request.getHeader("Transfer-Encoding") != null);
+  /** The fields of that object, which are named from the top. */
+  public static JsonFields of(ObjectNode object, Texts texts, FieldErrors errors) {
+    return new JsonFields(object, "", texts, errors);
   }
 
   @Override
@@ -137,7 +95,7 @@ final class JsonFields implements Fields {
   }
 
   /** A list of whole numbers; empty where there is none. */
-  List<Integer> integers(String name, int max) {
+  public List<Integer> integers(String name, int max) {
     Optional<JsonNode> list = value(name);
     if (list.isPresent()
         && !(list.get().isArray() && list.get().values().stream().allMatch(JsonNode::isInt))) {
@@ -152,7 +110,7 @@ final class JsonFields implements Fields {
   }
 
   /** A list of objects; empty where there is none. */
-  List<JsonFields> objects(String name, int max) {
+  public List<JsonFields> objects(String name, int max) {
     Optional<JsonNode> list = value(name);
     if (list.isPresent()
         && !(list.get().isArray() && list.get().values().stream().allMatch(JsonNode::isObject))) {
@@ -179,8 +137,23 @@ final class JsonFields implements Fields {
               errors.add(path(name), texts.get("error.type.object", path(name)));
               // one sentence for all that is not there
               return new JsonFields(
-                  Json.MAPPER.createObjectNode(), path(name) + ".", texts, new FieldErrors());
+                  JsonNodeFactory.instance.objectNode(), path(name) + ".", texts, new FieldErrors());
             });
+  }
+
+  @Override
+  public Map<String, JsonNode> members(String name) {
+    Map<String, JsonNode> members = new LinkedHashMap<>();
+    value(name)
+        .flatMap(
+            value -> value.isObject() ? Optional.of(value) : refuseType(name, "error.type.object"))
+        .ifPresent(value -> value.properties().forEach(m -> members.put(m.getKey(), m.getValue())));
+    return members;
+  }
+
+  /** The object itself. */
+  ObjectNode copy() {
+    return (ObjectNode) object.deepCopy();
   }
 
   private Optional<JsonFields> optionalObject(String name) {
@@ -349,7 +322,7 @@ final class JsonFields implements Fields {
   }
 
   /** An object with coordinates. */
-  Vec2 point(String name) {
+  public Vec2 point(String name) {
     JsonFields point = object(name);
     Vec2 read =
         new Vec2(
@@ -377,17 +350,5 @@ final class JsonFields implements Fields {
   private <T> Optional<T> refuseType(String name, String key) {
     errors.add(path(name), texts.get(key, path(name)));
     return Optional.empty();
-  }
-
-  private static JsonNode parse(byte[] body, Texts texts) {
-    try {
-      return Json.MAPPER.readTree(body);
-    } catch (StreamConstraintsException e) {
-      throw Problem.of(400, texts.get("problem.jsonLimits")).exception();
-    } catch (JacksonException e) {
-      TokenStreamLocation where = e.getLocation();
-      throw Problem.of(400, texts.get("problem.notJson", where.getLineNr(), where.getColumnNr()))
-          .exception();
-    }
   }
 }
