@@ -43,7 +43,7 @@
             <c:forTokens items="floor,statistics" delims="," var="entry">
               <li class="phone"><a href="${root}/${entry == 'floor' ? 'floors' : entry}" ${here == entry ? 'aria-current="page"' : ''}><fmt:message key="nav.${entry}"/></a></li>
             </c:forTokens>
-            <c:set var="further" value="history,schedules,loads,cameras,network${caller.mayOrder() ? ',import' : ''}${caller.isAdministrator() ? ',sites' : ''}${caller.isManager() ? ',laboratory,settings' : ''},api,help"/>
+            <c:set var="further" value="history,templates,schedules,loads,cameras,network${caller.mayOrder() ? ',import' : ''}${caller.isAdministrator() ? ',sites' : ''}${caller.isManager() ? ',laboratory,settings' : ''},api,help"/>
             <c:forTokens items="${further}" delims="," var="entry">
               <li><a href="${root}/${entry == 'import' ? 'tasks/import' : entry}" ${here == entry ? 'aria-current="page"' : ''}><fmt:message key="nav.${entry}"/></a></li>
             </c:forTokens>

@@ -11,6 +11,13 @@
   <h1>${title}</h1>
   <p class="faint"><fmt:message key="${edits ? 'task.edit.intro' : 'newTask.intro'}"/>${" "}<t:help topic="tasks" section="orders-of-several-tasks"/></p>
   <t:errors/>
+  <c:if test="${not edits and not empty templates}">
+    <nav class="choices templates" aria-label="<fmt:message key="newTask.templates"/>">
+      <span class="faint"><fmt:message key="newTask.templates"/></span>
+      <c:forEach items="${templates}" var="template" end="7"><a href="${root}/templates/${template.id}"><bdi><c:out value="${template.name}"/></bdi></a></c:forEach>
+      <c:if test="${templates.size() > 8}"><a href="${root}/templates"><fmt:message key="newTask.templates.all"/></a></c:if>
+    </nav>
+  </c:if>
   <div class="columns pick">
     <form class="task" method="post" action="${root}/tasks/${edits ? task.task.id += '/edit' : 'new'}" novalidate>
       <t:csrf/>
@@ -91,11 +98,12 @@
               <div ${end == 'start' ? 'data-for="transport"' : ''}><label><fmt:message key="newTask.wait.at"><fmt:param value="${endLabel}"/></fmt:message><fmt:message key="newTask.wait.at" var="label"><fmt:param value="${endLabel}"/></fmt:message><t:wait-choice name="${waitField}" label="${label}" chosen="${param[waitField]}" charges="${end == 'goal' and not empty floor.charging()}"/></label></div>
             </c:forTokens>
           </div>
-          <c:forEach begin="0" end="3" var="at">
+          <c:forEach begin="0" end="${fn:length(paramValues.stopStation) > 4 ? fn:length(paramValues.stopStation) - 1 : 3}" var="at">
             <fmt:message key="newTask.stop" var="label"><fmt:param value="${at + 3}"/></fmt:message>
             <select name="stopStation" aria-label="${label}" aria-describedby="stop-help" ${not empty errors.stop ? 'aria-invalid="true"' : ''}>
               <option value="">${label}: <fmt:message key="newTask.station.none"/></option>
               <c:forEach items="${floor.stations()}" var="station"><option value="${fn:escapeXml(station.name)}" dir="auto" ${station.name == paramValues.stopStation[at] ? 'selected' : ''}><c:out value="${station.name}"/></option></c:forEach>
+              <c:if test="${paramValues.stopStation[at].matches('-?[0-9.]+ -?[0-9.]+')}"><option value="${fn:escapeXml(paramValues.stopStation[at])}" selected>(${fn:escapeXml(fn:replace(paramValues.stopStation[at], ' ', ', '))})</option></c:if>
               <t:charger-options chosen="${paramValues.stopStation[at]}"/>
             </select>
             <fmt:message key="newTask.wait.at" var="waitLabel"><fmt:param value="${label}"/></fmt:message>
@@ -147,44 +155,10 @@
       <input id="deadline" name="deadline" type="datetime-local" value="${fn:escapeXml(param.deadline)}" ${empty deadlineInUtc ? '' : 'data-in-utc'} ${empty errors.deadline ? '' : 'aria-invalid="true"'} aria-describedby="deadline-help">
       <small id="deadline-help"><c:choose><c:when test="${not empty errors.deadline}"><bdi><c:out value="${errors.deadline}"/></bdi></c:when><c:otherwise><fmt:message key="newTask.deadline.zone"/>${" "}<bdi id="zone-name"><fmt:message key="newTask.deadline.utc"/></bdi></c:otherwise></c:choose></small>
       <input type="hidden" id="zone" name="zone" value="UTC">
-      <c:if test="${not edits}">
-      <c:set var="when" value="${empty param.when ? 'now' : param.when}"/>
-      <label for="when"><fmt:message key="schedule.when"/></label>
-      <select id="when" name="when">
-        <c:forTokens items="now,once,every,weekly" delims="," var="choice"><option value="${choice}" ${when == choice ? 'selected' : ''}><fmt:message key="schedule.when.${choice}"/></option></c:forTokens>
-      </select>
-      <div class="when" data-when="once every">
-        <label for="first"><fmt:message key="schedule.first"/></label>
-        <input id="first" name="first" type="datetime-local" value="${fn:escapeXml(param.first)}" ${empty errors.first ? '' : 'aria-invalid="true"'} aria-describedby="first-help">
-        <small id="first-help"><bdi><c:out value="${errors.first}"/></bdi></small>
-      </div>
-      <div class="when" data-when="every">
-        <label for="everyMinutes"><fmt:message key="schedule.minutes"/></label>
-        <input id="everyMinutes" name="everyMinutes" inputmode="numeric" dir="ltr" autocomplete="off" value="${fn:escapeXml(param.everyMinutes)}" ${empty errors.everyMinutes ? '' : 'aria-invalid="true"'} aria-describedby="everyMinutes-help">
-        <small id="everyMinutes-help"><bdi><c:out value="${errors.everyMinutes}"/></bdi></small>
-      </div>
-      <div class="when" data-when="weekly">
-        <fieldset class="choice" ${empty errors.weekdays ? '' : 'aria-invalid="true"'}>
-          <legend><fmt:message key="schedule.weekdays"/></legend>
-          <c:forEach items="${weekdays}" var="day">
-            <c:set var="chosen" value="${false}"/>
-            <c:forEach items="${paramValues.weekday}" var="given"><c:if test="${given == day.name()}"><c:set var="chosen" value="${true}"/></c:if></c:forEach>
-            <label><input type="checkbox" name="weekday" value="${day}" ${chosen ? 'checked' : ''}> <fmt:message key="schedule.day.${day}"/></label>
-          </c:forEach>
-          <small class="wrong"><bdi><c:out value="${errors.weekdays}"/></bdi></small>
-        </fieldset>
-        <label for="time"><fmt:message key="schedule.time"/></label>
-        <input id="time" name="time" type="time" value="${fn:escapeXml(param.time)}" ${empty errors.time ? '' : 'aria-invalid="true"'} aria-describedby="time-help">
-        <small id="time-help"><bdi><c:out value="${errors.time}"/></bdi></small>
-      </div>
-      <div class="when" data-when="every weekly">
-        <label for="until"><fmt:message key="schedule.until"/></label>
-        <input id="until" name="until" type="datetime-local" value="${fn:escapeXml(param.until)}" ${empty errors.until ? '' : 'aria-invalid="true"'} aria-describedby="until-help">
-        <small id="until-help"><bdi><c:out value="${errors.until}"/></bdi></small>
-      </div>
-      </c:if>
+      <c:if test="${not edits}"><t:when/></c:if>
       <div class="choices">
         <button><fmt:message key="${edits ? 'task.edit.submit' : 'newTask.submit'}"/></button>
+        <c:if test="${not edits}"><button class="outline secondary" formaction="${root}/templates/new"><fmt:message key="newTask.template.save"/></button></c:if>
         <c:if test="${edits}"><a role="button" class="outline secondary" href="${root}/tasks/${task.task.id}"><fmt:message key="common.cancel"/></a></c:if>
       </div>
     </form>

@@ -47,7 +47,7 @@
           <c:set var="schedule" value="${entry.schedule}"/>
           <tr>
             <td class="number">${schedule.id}</td>
-            <th scope="row"><bdi><c:out value="${schedule.order.name}"/></bdi><c:if test="${fn:length(floors) > 1}"><br><small class="faint"><bdi><c:out value="${empty schedule.order.floor ? floors[0].name() : schedule.order.floor}"/></bdi></small></c:if></th>
+            <th scope="row"><bdi><c:out value="${schedule.order.name}"/></bdi><c:if test="${not empty schedule.template}"><br><small class="faint"><fmt:message key="schedules.template"><fmt:param><bdi><c:out value="${schedule.template.name()}"/></bdi></fmt:param></fmt:message></small></c:if><c:if test="${fn:length(floors) > 1}"><br><small class="faint"><bdi><c:out value="${empty schedule.order.floor ? floors[0].name() : schedule.order.floor}"/></bdi></small></c:if></th>
             <td data-label="<fmt:message key="schedules.column.when"/>">
               <c:choose>
                 <c:when test="${entry.kind == 'once'}"><fmt:message key="schedules.once"/>${" "}<t:time at="${schedule.recurrence.at}"/></c:when>

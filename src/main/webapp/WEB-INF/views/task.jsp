@@ -109,14 +109,15 @@
         <a href="${root}/map?task=${task.task.id}"><fmt:message key="task.onMap"/></a>
         <c:url value="/tasks/new" var="again">
           <c:param name="name" value="${task.task.name}"/>
-          <c:param name="load" value="${task.task.load}"/>
+          <c:choose><c:when test="${task.task.isDrive()}"><c:param name="kind" value="drive"/></c:when><c:otherwise><c:param name="load" value="${task.task.load}"/></c:otherwise></c:choose>
           <c:param name="floor" value="${task.task.floor}"/>
           <c:if test="${usualPriority}"><c:param name="priority" value="${task.task.priority}"/></c:if>
           <c:param name="length" value="${task.task.size.length}"/>
           <c:param name="width" value="${task.task.size.width}"/>
           <c:forEach items="${task.task.onlyRobots}" var="robot"><c:param name="onlyRobots" value="${robot}"/></c:forEach>
           <c:if test="${not empty task.task.arm and not leftLoad}"><c:param name="pickX" value="${task.task.arm.pick.x}"/><c:param name="pickY" value="${task.task.arm.pick.y}"/><c:param name="placeX" value="${task.task.arm.place.x}"/><c:param name="placeY" value="${task.task.arm.place.y}"/></c:if>
-          <c:forTokens items="start,goal" delims="," var="end">
+          <c:if test="${not empty task.task.stops}"><c:forEach items="${stopEntries}" var="entry"><c:param name="${entry.field()}" value="${entry.value()}"/></c:forEach></c:if>
+          <c:forTokens items="${empty task.task.stops ? 'start,goal' : ''}" delims="," var="end">
             <c:set var="place" value="${end == 'start' and leftLoad ? task.loadAt : task.task[end]}"/>
             <c:choose>
               <c:when test="${not empty place.station}"><c:param name="${end}Station" value="${place.station}"/></c:when>
@@ -124,7 +125,8 @@
             </c:choose>
           </c:forTokens>
         </c:url>
-        <c:if test="${empty task.task.stops}"> · <a href="<c:out value="${again}"/>"><fmt:message key="task.duplicate"/></a></c:if>
+        <c:if test="${empty task.task.stops or not leftLoad and stopEntries != null}"> · <a href="<c:out value="${again}"/>"><fmt:message key="task.duplicate"/></a></c:if>
+        <c:if test="${mayOrder}"> · <a href="${root}/templates/new?task=${task.task.id}"><fmt:message key="task.template"/></a></c:if>
         <c:if test="${mayChange and task.state == 'QUEUED' and empty task.loadAt and empty task.task.stops}"> · <a href="${root}/tasks/${task.task.id}/edit"><fmt:message key="task.edit"/></a></c:if>
       </article>
       <article>

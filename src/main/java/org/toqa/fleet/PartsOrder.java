@@ -21,6 +21,11 @@ public record PartsOrder(String name, OrderPart.Kind kind, List<TaskOrder> tasks
     tasks = List.copyOf(tasks);
   }
 
+  /** One task. */
+  public static PartsOrder of(TaskOrder task) {
+    return new PartsOrder(task.name(), OrderPart.Kind.PIECES, List.of(task));
+  }
+
   /** Which part each of its tasks is. */
   public List<OrderPart> parts() {
     return IntStream.rangeClosed(1, tasks.size())

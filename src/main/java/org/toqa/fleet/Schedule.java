@@ -90,18 +90,7 @@ public record Schedule(
   /** The same, whose order was made from that template. */
   public Schedule from(@Nullable TemplateUse use) {
     return new Schedule(
-        id,
-        order,
-        recurrence,
-        until,
-        paused,
-        user,
-        owner,
-        resting,
-        createdAt,
-        due,
-        lastTask,
-        use);
+        id, order, recurrence, until, paused, user, owner, resting, createdAt, due, lastTask, use);
   }
 
   /** The first moment after that one at which it is due, if there is one. */

@@ -39,8 +39,7 @@ public interface TaskTemplateStore {
    * @param orders of each schedule that uses it, by its id
    * @param by the user who changes it
    */
-  Change replace(
-      TaskTemplate seen, TaskTemplate changed, Map<Long, TaskOrder> orders, String by);
+  Change replace(TaskTemplate seen, TaskTemplate changed, Map<Long, TaskOrder> orders, String by);
 
   /**
    * Deletes one that no schedule uses.

@@ -174,8 +174,7 @@ public final class JdbiTaskTemplateStore implements TaskTemplateStore {
     EventTable.addAll(
         h,
         List.of(
-            new EventRecord(
-                    clock.instant(), kind, null, null, by, phrase.with(by, template.name()))
+            new EventRecord(clock.instant(), kind, null, null, by, phrase.with(by, template.name()))
                 .onFloor(template.floor())));
   }
 }

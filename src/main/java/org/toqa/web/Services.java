@@ -14,6 +14,7 @@ import org.toqa.fleet.Fleet;
 import org.toqa.fleet.OrderArchive;
 import org.toqa.fleet.ScheduleStore;
 import org.toqa.fleet.TaskArchive;
+import org.toqa.fleet.TaskTemplateStore;
 import org.toqa.fleet.TaskTraces;
 import org.toqa.fleet.exploration.Explorer;
 import org.toqa.fleet.history.EventArchive;
@@ -43,6 +44,7 @@ public record Services(
     TrackStore tracks,
     SceneStore scenes,
     ScheduleStore schedules,
+    TaskTemplateStore templates,
     Supervisor supervisor,
     Explorer explorer,
     StatisticsArchive statistics,

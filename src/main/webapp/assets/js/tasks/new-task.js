@@ -225,8 +225,12 @@ function furtherStops() {
     .filter((stop) => stop);
 }
 
-/** @param chosen a station, or a charger as the form has it: charge, or charge@ and its name */
+/** @param chosen a station, coordinates, or a charger as the form has it: charge, or charge@ and its name */
 function stopAt(chosen) {
+  const [, x, y] = chosen.match(/^(-?[\d.]+) (-?[\d.]+)$/) ?? [];
+  if (x) {
+    return {x: Number(x), y: Number(y)};
+  }
   const [, charger] = chosen.match(/^charge(?:@(.*))?$/) ?? [];
   return /^charge(@|$)/.test(chosen) ? {charge: {charger}} : {station: chosen};
 }

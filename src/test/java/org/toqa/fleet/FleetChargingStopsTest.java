@@ -9,6 +9,7 @@ import static org.toqa.fleet.HallFleetTest.robot;
 import static org.toqa.fleet.HallFleetTest.task;
 
 import java.time.Duration;
+import java.time.Instant;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.AfterEach;
@@ -72,6 +73,32 @@ class FleetChargingStopsTest {
     assertEquals(
         List.of("r1 is driving to charger C1: task " + task + " says so"),
         said(task, "robot.to-charger"));
+  }
+
+  @Test
+  void theChargingIsPartOfWhenALoadIsExpected() throws Exception {
+    start("r1");
+    stage.scriptedRobot("r1").setBattery(0.5);
+    long task = submit(transport(stop(WEST), charge("C1", 0.8, null), stop(EAST)));
+    // from 50 % to 80 %, before the drives of some 20 m
+    double charging = 0.3 * ChargingRules.USUAL.toFull().toSeconds();
+
+    stage.await(view -> delivery(view, task) != null);
+    double ordered = Duration.between(stage.now, delivery(latest(), task)).toSeconds();
+    assertTrue(ordered > 0.9 * charging && ordered < 1.1 * charging + 120, () -> "in " + ordered);
+    stage.await(view -> task(view, task).isWaitingAtStop());
+    stage.scriptedRobot("r1").setBattery(0.75);
+    stage.await(
+        view -> {
+          Instant told = delivery(view, task);
+          return told != null
+              && Duration.between(stage.now, told).toSeconds() < 0.06 * charging / 0.3 + 120;
+        });
+  }
+
+  private static @Nullable Instant delivery(FleetSnapshot view, long task) {
+    ExpectedTimes times = task(view, task).expected();
+    return times == null ? null : times.delivery();
   }
 
   @Test

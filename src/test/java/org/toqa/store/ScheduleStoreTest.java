@@ -105,7 +105,7 @@ class ScheduleStoreTest extends DatabaseTest {
   }
 
   private long add(Schedule schedule) {
-    return store.add(schedule, UUID.randomUUID());
+    return store.add(schedule, UUID.randomUUID()).orElseThrow();
   }
 
   private static Schedule schedule(

@@ -65,6 +65,7 @@ import org.toqa.store.JdbiScheduleStore;
 import org.toqa.store.JdbiSessionStore;
 import org.toqa.store.JdbiStatisticsArchive;
 import org.toqa.store.JdbiSupervisionStore;
+import org.toqa.store.JdbiTaskTemplateStore;
 import org.toqa.store.JdbiTelemetryStore;
 import org.toqa.store.JdbiTrackStore;
 import org.toqa.store.JdbiUtilisationStore;
@@ -102,6 +103,7 @@ public final class WebTestServer implements AutoCloseable {
           "supervisions",
           "explorations",
           "schedules",
+          "task_templates",
           "tasks",
           "robots");
 
@@ -315,6 +317,7 @@ public final class WebTestServer implements AutoCloseable {
             tracks,
             scenes,
             schedules,
+            new JdbiTaskTemplateStore(jdbi, InstantSource.system()),
             supervisor,
             explorer,
             new JdbiStatisticsArchive(jdbi),

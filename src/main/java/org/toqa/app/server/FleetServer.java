@@ -73,6 +73,7 @@ import org.toqa.store.JdbiSightingStore;
 import org.toqa.store.JdbiSiteStore;
 import org.toqa.store.JdbiStatisticsArchive;
 import org.toqa.store.JdbiSupervisionStore;
+import org.toqa.store.JdbiTaskTemplateStore;
 import org.toqa.store.JdbiTaskTraces;
 import org.toqa.store.JdbiTelemetryStore;
 import org.toqa.store.JdbiTrackStore;
@@ -308,6 +309,7 @@ public final class FleetServer implements AutoCloseable {
             new JdbiTrackStore(database.readers()),
             new JdbiSceneStore(database.readers()),
             schedules,
+            new JdbiTaskTemplateStore(database.jdbi(), wallClock),
             supervisor,
             explorer,
             new JdbiStatisticsArchive(database.readers()),

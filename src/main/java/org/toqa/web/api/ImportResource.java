@@ -50,7 +50,7 @@ public final class ImportResource extends ApiHandler {
         TaskImport.zone(request.getParameter("zone"))
             .orElseThrow(() -> Problem.of(422, texts.get("error.statistics.zone")).exception());
     List<TaskView> tasks =
-        switch (new TaskImport(services(request), texts)
+        switch (new TaskImport(services(request), texts, TemplatesResource.usable(request))
             .run(table, zone, Caller.of(request).account(), IdempotencyKey.of(request))) {
           case TaskImport.Outcome.Imported(List<TaskView> imported) -> imported;
           case TaskImport.Outcome.Faulty(LineFaults faults) ->

@@ -13,13 +13,19 @@ import org.toqa.fleet.Schedule;
 import org.toqa.fleet.TaskOrder;
 import org.toqa.fleet.TaskOrder.StopOrder;
 import org.toqa.fleet.TaskOrder.Where;
+import org.toqa.fleet.TemplateUse;
 import org.toqa.mission.Stop;
 import org.toqa.mission.TaskKind;
 import org.toqa.mission.TransportTask.LoadSize;
+import org.toqa.web.input.TemplateFiller;
+import tools.jackson.databind.JsonNode;
 
 /**
  * A schedule on the wire: with {@code at}, with {@code from} and {@code everyMinutes}, or with
  * {@code weekdays}, {@code time} and {@code zone}.
+ *
+ * @param template from which its task was made; null: from none
+ * @param values of the template's parameters
  */
 record ScheduleJson(
     long id,
@@ -36,7 +42,9 @@ record ScheduleJson(
     @Nullable Instant due,
     @Nullable Long lastTask,
     String user,
-    Instant createdAt) {
+    Instant createdAt,
+    @Nullable String template,
+    @Nullable JsonNode values) {
 
   /** Either a station, or metres in the map frame. */
   @JsonInclude(JsonInclude.Include.NON_NULL)
@@ -123,6 +131,7 @@ record ScheduleJson(
       @Nullable List<DayOfWeek> weekdays,
       @Nullable String time,
       @Nullable String zone) {
+    TemplateUse template = schedule.template();
     return new ScheduleJson(
         schedule.id(),
         OrderJson.of(schedule.order()),
@@ -138,6 +147,8 @@ record ScheduleJson(
         schedule.due(),
         schedule.lastTask(),
         schedule.user(),
-        schedule.createdAt());
+        schedule.createdAt(),
+        template == null ? null : template.name(),
+        template == null ? null : TemplateFiller.object(template.values()));
   }
 }

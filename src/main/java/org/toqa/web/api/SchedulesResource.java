@@ -11,6 +11,7 @@ import org.toqa.web.Texts;
 import org.toqa.web.access.Caller;
 import org.toqa.web.input.ScheduleOrder;
 import org.toqa.web.input.ScheduleReader;
+import org.toqa.web.input.TemplateFiller;
 
 /** All schedules, and new ones. */
 public final class SchedulesResource extends ApiHandler {
@@ -33,7 +34,9 @@ public final class SchedulesResource extends ApiHandler {
       throws IOException {
     Texts texts = Texts.of(request);
     Instant now = services(request).clock().instant();
-    ScheduleOrder order = readBody(request, fields -> ScheduleReader.readJson(fields, now));
+    TemplateFiller templates = TemplatesResource.usable(request);
+    ScheduleOrder order =
+        readBody(request, fields -> ScheduleReader.readJson(fields, templates, now));
     Schedule schedule =
         switch (FleetAnswers.await(
             services(request)
@@ -43,6 +46,7 @@ public final class SchedulesResource extends ApiHandler {
                     order.order(),
                     order.recurrence(),
                     order.until(),
+                    order.template(),
                     Caller.of(request).name(),
                     IdempotencyKey.of(request)))) {
           case KeyedAnswer.Answered<Schedule>(var answer) -> acceptedValue(request, answer);

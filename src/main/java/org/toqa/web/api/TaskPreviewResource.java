@@ -4,22 +4,24 @@ import jakarta.servlet.http.HttpServletRequest;
 import jakarta.servlet.http.HttpServletResponse;
 import java.io.IOException;
 import java.util.Map;
-import org.toqa.fleet.TaskOrder;
 import org.toqa.fleet.TaskPreview;
 import org.toqa.web.FleetAnswers;
 import org.toqa.web.access.Caller;
-import org.toqa.web.input.TaskOrderReader;
+import org.toqa.web.input.OrderedTask;
 
 /** What would become of a task; nothing is stored. */
 public final class TaskPreviewResource extends ApiHandler {
   public static void preview(HttpServletRequest request, HttpServletResponse response)
       throws IOException {
-    TaskOrder order = readBody(request, TaskOrderReader::read);
+    OrderedTask ordered = readBody(request, TemplatesResource.usable(request)::read);
     TaskPreview preview =
         acceptedValue(
             request,
-            FleetAnswers.await(
-                services(request).fleet().preview(order, Caller.of(request).name())));
+            ordered.atEntered(
+                FleetAnswers.await(
+                    services(request)
+                        .fleet()
+                        .preview(ordered.order(), Caller.of(request).name()))));
     Json.send(
         request,
         response,

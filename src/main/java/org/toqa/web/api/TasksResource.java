@@ -8,13 +8,12 @@ import org.toqa.fleet.EventRecord;
 import org.toqa.fleet.KeyedAnswer;
 import org.toqa.fleet.TaskArchive.Filter;
 import org.toqa.fleet.TaskArchive.Sort;
-import org.toqa.fleet.TaskOrder;
 import org.toqa.fleet.TaskView;
 import org.toqa.web.Tasks;
 import org.toqa.web.Texts;
 import org.toqa.web.access.Caller;
 import org.toqa.web.input.FieldErrors;
-import org.toqa.web.input.TaskOrderReader;
+import org.toqa.web.input.OrderedTask;
 import org.toqa.web.input.TaskQueryReader;
 
 /** The tasks, all of them or some, and new ones. */
@@ -42,12 +41,13 @@ public final class TasksResource extends ApiHandler {
 
   public static void add(HttpServletRequest request, HttpServletResponse response)
       throws IOException {
-    TaskOrder order = readBody(request, TaskOrderReader::read);
+    OrderedTask ordered = readBody(request, TemplatesResource.usable(request)::read);
     TaskView task =
         switch (services(request)
             .submitter()
-            .submit(order, Caller.of(request).account(), IdempotencyKey.of(request))) {
-          case KeyedAnswer.Answered<TaskView>(var answer) -> acceptedValue(request, answer);
+            .submit(ordered.order(), Caller.of(request).account(), IdempotencyKey.of(request))) {
+          case KeyedAnswer.Answered<TaskView>(var answer) ->
+              acceptedValue(request, ordered.atEntered(answer));
           case KeyedAnswer.Repeated<TaskView>(TaskView before) ->
               new Tasks(services(request)).task(before.id()).orElse(before);
           case KeyedAnswer.KeyReused<TaskView>() ->

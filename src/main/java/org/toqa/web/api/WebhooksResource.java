@@ -18,8 +18,8 @@ import org.toqa.web.Texts;
 import org.toqa.web.access.Caller;
 import org.toqa.web.input.FieldErrors;
 import org.toqa.web.input.JsonFields;
-import org.toqa.web.input.WebhookReader.WebhookOrder;
 import org.toqa.web.input.WebhookReader;
+import org.toqa.web.input.WebhookReader.WebhookOrder;
 
 /** The webhooks of a site, for its managers. Their secrets are told once. */
 public final class WebhooksResource extends ApiHandler {

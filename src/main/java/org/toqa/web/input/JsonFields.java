@@ -48,6 +48,11 @@ public final class JsonFields implements Fields {
     return new JsonFields(object, "", texts, errors);
   }
 
+  /** An object without fields. */
+  static JsonFields empty(Texts texts, FieldErrors errors) {
+    return of(JsonNodeFactory.instance.objectNode(), texts, errors);
+  }
+
   @Override
   public @Nullable String text(String name) {
     return value(name)
@@ -137,7 +142,10 @@ public final class JsonFields implements Fields {
               errors.add(path(name), texts.get("error.type.object", path(name)));
               // one sentence for all that is not there
               return new JsonFields(
-                  JsonNodeFactory.instance.objectNode(), path(name) + ".", texts, new FieldErrors());
+                  JsonNodeFactory.instance.objectNode(),
+                  path(name) + ".",
+                  texts,
+                  new FieldErrors());
             });
   }
 

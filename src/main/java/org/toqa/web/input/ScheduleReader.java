@@ -75,29 +75,42 @@ public final class ScheduleReader {
       String field = order.kind() == OrderPart.Kind.PIECES ? "pieces" : "stop";
       form.errors().add(field, form.texts().get("error.schedule.parts"));
     }
-    return new ScheduleReader(form, Names.FORM, now).read(form, order.tasks().getFirst());
+    return new ScheduleReader(form, Names.FORM, now)
+        .read(form, OrderedTask.of(order.tasks().getFirst()));
+  }
+
+  /** A schedule of a template whose parameters a person has filled in. */
+  public static ScheduleOrder readForm(Fields form, OrderedTask task, Instant now) {
+    return new ScheduleReader(form, Names.FORM, now).read(form, task);
   }
 
   /** A schedule that a program gives; the order of its tasks is the object {@code task} in it. */
-  public static ScheduleOrder readJson(Fields json, Instant now) {
+  public static ScheduleOrder readJson(Fields json, TemplateFiller templates, Instant now) {
     Fields task = json.object("task");
-    return new ScheduleReader(json, Names.JSON, now).read(task, TaskOrderReader.read(task));
+    return new ScheduleReader(json, Names.JSON, now).read(task, templates.read(task));
   }
 
   /**
    * @param task the fields from which the order was read
    */
-  private ScheduleOrder read(Fields task, TaskOrder order) {
+  private ScheduleOrder read(Fields task, OrderedTask ordered) {
+    TaskOrder order = ordered.order();
     Recurrence recurrence = recurrence();
     Instant until = rules.until("until", fields.moment("until", MOMENT));
     fields.refuseUnknown();
     if (order.deadline() != null) {
-      fields.errors().add(task.path("deadline"), fields.texts().get("error.schedule.deadline"));
+      fields
+          .errors()
+          .add(entered(task, ordered, "deadline"), fields.texts().get("error.schedule.deadline"));
     }
     if (order.arm() != null) {
-      fields.errors().add(task.path("arm"), fields.texts().get("error.schedule.arm"));
+      fields.errors().add(entered(task, ordered, "arm"), fields.texts().get("error.schedule.arm"));
     }
-    return new ScheduleOrder(order, recurrence, until);
+    return new ScheduleOrder(order, ordered.use(), recurrence, until);
+  }
+
+  private static String entered(Fields task, OrderedTask ordered, String field) {
+    return task.path(String.valueOf(ordered.entered(field, TemplateFiller.VALUES + ".")));
   }
 
   private Recurrence recurrence() {

@@ -26,10 +26,15 @@ public final class TaskImport {
 
   private final Services services;
   private final Texts texts;
+  private final TemplateFiller templates;
 
-  public TaskImport(Services services, Texts texts) {
+  /**
+   * @param templates those that the tables may use
+   */
+  public TaskImport(Services services, Texts texts, TemplateFiller templates) {
     this.services = services;
     this.texts = texts;
+    this.templates = templates;
   }
 
   /** What became of a table. */
@@ -50,7 +55,8 @@ public final class TaskImport {
    * @param key the same one for the same table
    */
   public Outcome run(byte[] file, ZoneId zone, Account user, UUID key) {
-    TaskOrderTable table = TaskOrderTable.read(file, zone, services.clock().instant(), texts);
+    TaskOrderTable table =
+        TaskOrderTable.read(file, zone, services.clock().instant(), templates, texts);
     List<PartsOrder> orders = table.rows().stream().map(TaskOrderTable.Row::order).toList();
     if (!table.faults().isEmpty()) {
       List<TaskOrder> first = orders.stream().map(order -> order.tasks().getFirst()).toList();
@@ -99,6 +105,9 @@ public final class TaskImport {
   private static @Nullable String column(TaskOrderTable.Row row, int part, @Nullable String field) {
     if (field == null) {
       return null;
+    }
+    if (row.ofTemplate() != null) {
+      return row.ofTemplate().entered(field, "");
     }
     if (field.startsWith("stops.")) {
       int stop = Integer.parseInt(field.substring("stops.".length()));

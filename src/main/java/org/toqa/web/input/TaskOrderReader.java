@@ -20,6 +20,9 @@ import org.toqa.mission.TaskKind;
 public final class TaskOrderReader {
   private static final Where NOWHERE = new Where.Station("");
 
+  /** What is read where nothing can be. */
+  static final TaskOrder NOTHING = new TaskOrder("", 0, NOWHERE, NOWHERE, null, 0, null, null);
+
   private TaskOrderReader() {}
 
   /** An order that a program gives: its deadline may have passed already. */

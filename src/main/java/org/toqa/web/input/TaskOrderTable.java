@@ -3,10 +3,10 @@ package org.toqa.web.input;
 import java.time.Instant;
 import java.time.ZoneId;
 import java.util.ArrayList;
-import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
+import java.util.TreeMap;
 import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 import org.toqa.fleet.PartsOrder;
@@ -22,6 +22,7 @@ final class TaskOrderTable {
 
   private static final List<String> COLUMNS =
       List.of(
+          "template",
           "name",
           "kind",
           "load",
@@ -47,25 +48,29 @@ final class TaskOrderTable {
   private final ZoneId zone;
   private final Instant now;
   private final Texts texts;
+  private final TemplateFiller templates;
   private final LineFaults faults = new LineFaults();
   private final List<Row> rows = new ArrayList<>();
 
   /**
    * An order and its line; one of a single piece is an ordinary task.
    *
+   * @param ofTemplate null: it was made from no template
    * @param faulty columns that cannot be read; what the order has of them means nothing
    */
-  record Row(long line, PartsOrder order, Set<String> faulty) {
+  record Row(long line, PartsOrder order, @Nullable OrderedTask ofTemplate, Set<String> faulty) {
     /** Whether that field of the order comes from columns that can be read. */
     boolean isReadable(@Nullable String field) {
-      return field == null
+      return (field == null || ofTemplate != null) // whose columns are not those of an order
           ? faulty.isEmpty()
           : faulty.stream().noneMatch(column -> column.startsWith(field));
     }
   }
 
-  private TaskOrderTable(CsvTable table, ZoneId zone, Instant now, Texts texts) {
+  private TaskOrderTable(
+      CsvTable table, ZoneId zone, Instant now, TemplateFiller templates, Texts texts) {
     this.table = table;
+    this.templates = templates;
     this.zone = zone;
     this.now = now;
     this.texts = texts;
@@ -73,9 +78,11 @@ final class TaskOrderTable {
 
   /**
    * @param zone of deadlines that name none
+   * @param templates those that may be used
    */
-  static TaskOrderTable read(byte[] file, ZoneId zone, Instant now, Texts texts) {
-    TaskOrderTable orders = new TaskOrderTable(CsvTable.read(file), zone, now, texts);
+  static TaskOrderTable read(
+      byte[] file, ZoneId zone, Instant now, TemplateFiller templates, Texts texts) {
+    TaskOrderTable orders = new TaskOrderTable(CsvTable.read(file), zone, now, templates, texts);
     orders.read();
     return orders;
   }
@@ -100,7 +107,7 @@ final class TaskOrderTable {
       return;
     }
     CsvTable.Line first = table.lines().getFirst();
-    List<String> header = first.cells().stream().map(TaskOrderTable::column).toList();
+    List<String> header = first.cells().stream().map(this::column).toList();
     if (checkHeader(first.number(), header)) {
       read(header, table.lines().subList(1, table.lines().size()));
     }
@@ -134,33 +141,53 @@ final class TaskOrderTable {
       addFault(line.number(), "error.import.cells", line.cells().size(), header.size());
       return;
     }
-    Map<String, String> cells = new HashMap<>();
+    Map<String, String> cells = new TreeMap<>(String.CASE_INSENSITIVE_ORDER);
     for (int i = 0; i < line.cells().size(); i++) {
       cells.put(header.get(i), line.cells().get(i));
     }
     FieldErrors errors = new FieldErrors();
+    CsvFields fields = new CsvFields(cells, table.separator() == ';', zone, texts, errors);
+    OrderedTask ofTemplate =
+        fields.has(TemplateFiller.TEMPLATE) ? templates.readEntered(fields, now) : null;
     PartsOrder order =
-        TaskOrderReader.readEnteredParts(
-            new CsvFields(cells, table.separator() == ';', zone, texts, errors), now);
-    rows.add(new Row(line.number(), order, Set.copyOf(errors.sentences().keySet())));
+        ofTemplate == null ? readWithoutTemplate(fields) : PartsOrder.of(ofTemplate.order());
+    rows.add(new Row(line.number(), order, ofTemplate, Set.copyOf(errors.sentences().keySet())));
     faults.addAll(line.number(), errors);
   }
 
+  /** Columns of parameters are for lines with a template. */
+  private PartsOrder readWithoutTemplate(CsvFields fields) {
+    fields.cells().keySet().stream()
+        .filter(column -> !COLUMNS.contains(column) && fields.has(column))
+        .forEach(
+            column ->
+                fields.errors().add(column, texts.get("error.import.template.missing", column)));
+    return TaskOrderReader.readEnteredParts(fields, now);
+  }
+
   /** A column as this class writes it; one that it does not know stays as it is. */
-  private static String column(String given) {
+  private String column(String given) {
     String name = given.strip();
-    return COLUMNS.stream().filter(name::equalsIgnoreCase).findFirst().orElse(name);
+    return Stream.concat(COLUMNS.stream(), templates.columns().stream())
+        .filter(name::equalsIgnoreCase)
+        .findFirst()
+        .orElse(name);
   }
 
   private boolean checkHeader(long line, List<String> header) {
     FieldErrors errors = new FieldErrors();
+    boolean hasTemplates = header.contains(TemplateFiller.TEMPLATE);
     for (String column : header) {
-      if (!COLUMNS.contains(column)) {
+      if (!COLUMNS.contains(column) && !(hasTemplates && templates.columns().contains(column))) {
         errors.add(
             column, texts.get("error.import.column.unknown", column, String.join(", ", COLUMNS)));
       } else if (header.indexOf(column) != header.lastIndexOf(column)) {
         errors.add(column, texts.get("error.import.column.twice", column));
       }
+    }
+    if (hasTemplates) { // what else must be there is told line by line
+      faults.addAll(line, errors);
+      return errors.isEmpty();
     }
     boolean hasDrives = header.contains("kind");
     (hasDrives ? Stream.of("name") : Stream.of("name", "load"))

@@ -7,6 +7,7 @@ import org.toqa.accounts.Secret;
 import org.toqa.fleet.RobotRecord;
 import org.toqa.fleet.RobotView;
 import org.toqa.fleet.Schedule;
+import org.toqa.fleet.TaskTemplate;
 import org.toqa.fleet.TaskView;
 import org.toqa.mission.TransportTask;
 
@@ -48,6 +49,10 @@ public record Version(String text) {
 
   public static Version of(Schedule schedule) {
     return of(schedule.paused());
+  }
+
+  public static Version of(TaskTemplate template) {
+    return of(template.changedAt());
   }
 
   private static Version of(@Nullable Object... parts) {

@@ -139,8 +139,22 @@ final class FormFields implements Fields {
         .mapToObj(
             i ->
                 stop(
-                    name, StopWords.place(stations.get(i)), i < waits.size() ? waits.get(i) : null))
+                    name,
+                    placeOfStop(name, stations.get(i)),
+                    i < waits.size() ? waits.get(i) : null))
         .toList();
+  }
+
+  /** A station, a charger, or two coordinates with a blank between. */
+  private Where placeOfStop(String field, String given) {
+    List<Optional<Double>> numbers =
+        BETWEEN_NUMBERS.splitAsStream(given.strip()).map(Digits::enteredNumber).toList();
+    return numbers.size() == 2 && numbers.stream().allMatch(Optional::isPresent)
+        ? new Where.Point(
+            new Vec2(
+                rules().coordinate(field, numbers.getFirst().orElseThrow()),
+                rules().coordinate(field, numbers.getLast().orElseThrow())))
+        : StopWords.place(given);
   }
 
   @Override

@@ -20,6 +20,7 @@ import org.toqa.web.access.Caller;
 import org.toqa.web.input.FieldErrors;
 import org.toqa.web.input.LineFaults;
 import org.toqa.web.input.TaskImport;
+import org.toqa.web.input.TemplateFiller;
 
 /** Puts in many tasks at once, from a table that a spreadsheet has saved. */
 public final class ImportPage extends PageHandler {
@@ -73,7 +74,8 @@ public final class ImportPage extends PageHandler {
     UUID key =
         IdempotentSubmitter.idempotencyKey(
             user, "import " + request.getParameter("idempotencyKey"));
-    return switch (new TaskImport(services(request), Texts.of(request))
+    TemplateFiller templates = TemplateFiller.of(Caller.of(request), services(request).templates());
+    return switch (new TaskImport(services(request), Texts.of(request), templates)
         .run(table, zone, user, key)) {
       case TaskImport.Outcome.Imported(List<TaskView> tasks) -> Optional.of(tasks);
       case TaskImport.Outcome.Faulty(LineFaults faults) -> {

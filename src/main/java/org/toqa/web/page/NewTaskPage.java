@@ -10,6 +10,7 @@ import java.util.List;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.UUID;
+import java.util.function.UnaryOperator;
 import java.util.stream.Stream;
 import org.toqa.accounts.Account;
 import org.toqa.fleet.Answer;
@@ -31,6 +32,7 @@ import org.toqa.web.input.OrderRejections;
 import org.toqa.web.input.ScheduleOrder;
 import org.toqa.web.input.ScheduleReader;
 import org.toqa.web.input.TaskOrderReader;
+import org.toqa.web.input.TemplateAccess;
 import org.toqa.wording.Sentence;
 
 /** Assigns a transport task: carry this load from here to there. */
@@ -71,17 +73,23 @@ public final class NewTaskPage extends PageHandler {
         ? readForm(request, errors, fields -> TaskOrderReader.readEnteredParts(fields, now))
             .flatMap(order -> submit(order, request, errors))
         : readForm(request, errors, fields -> ScheduleReader.readForm(fields, now))
-            .flatMap(order -> schedule(order, request, errors))
+            .flatMap(order -> schedule(order, UnaryOperator.identity(), request, errors))
             .map(schedule -> "/schedules?added=" + schedule.id());
   }
 
-  private static boolean isImmediate(HttpServletRequest request) {
+  static boolean isImmediate(HttpServletRequest request) {
     String when = request.getParameter("when");
     return when == null || when.isEmpty() || when.equals("now");
   }
 
-  private static Optional<Schedule> schedule(
-      ScheduleOrder order, HttpServletRequest request, FieldErrors errors) {
+  /**
+   * @param atField files what the fleet refuses under a field of the form
+   */
+  static Optional<Schedule> schedule(
+      ScheduleOrder order,
+      UnaryOperator<Answer<Schedule>> atField,
+      HttpServletRequest request,
+      FieldErrors errors) {
     Caller user = Caller.of(request);
     UUID key =
         IdempotentSubmitter.idempotencyKey(user.account(), "schedule " + idempotencyKey(request));
@@ -90,6 +98,7 @@ public final class NewTaskPage extends PageHandler {
         answer instanceof KeyedAnswer.KeyReused<Schedule>
             ? add(order, user, UUID.randomUUID(), request)
             : answer,
+        atField,
         request,
         errors);
   }
@@ -100,13 +109,23 @@ public final class NewTaskPage extends PageHandler {
         services(request)
             .fleet()
             .schedules()
-            .add(order.order(), order.recurrence(), order.until(), user.name(), key));
+            .add(
+                order.order(),
+                order.recurrence(),
+                order.until(),
+                order.template(),
+                user.name(),
+                key));
   }
 
   private static Optional<Schedule> added(
-      KeyedAnswer<Schedule> answer, HttpServletRequest request, FieldErrors errors) {
+      KeyedAnswer<Schedule> answer,
+      UnaryOperator<Answer<Schedule>> atField,
+      HttpServletRequest request,
+      FieldErrors errors) {
     return switch (answer) {
-      case KeyedAnswer.Answered<Schedule>(var first) -> acceptedValue(request, first, errors);
+      case KeyedAnswer.Answered<Schedule>(var first) ->
+          acceptedValue(request, atField.apply(first), errors);
       case KeyedAnswer.Repeated<Schedule>(Schedule before) -> Optional.of(before);
       case KeyedAnswer.KeyReused<Schedule>() -> Optional.empty();
     };
@@ -116,7 +135,9 @@ public final class NewTaskPage extends PageHandler {
   private static Optional<String> submit(
       PartsOrder order, HttpServletRequest request, FieldErrors errors) {
     if (order.tasks().size() == 1) {
-      return submit(order.tasks().getFirst(), request, errors).map(task -> "/tasks/" + task.id());
+      TaskOrder only = order.tasks().getFirst();
+      return submit(only, answer -> atFormField(only, answer), request, errors)
+          .map(task -> "/tasks/" + task.id());
     }
     Account user = Caller.of(request).account();
     UUID key = IdempotentSubmitter.idempotencyKey(user, "order " + idempotencyKey(request));
@@ -138,8 +159,14 @@ public final class NewTaskPage extends PageHandler {
         .findFirst();
   }
 
-  private static Optional<TaskView> submit(
-      TaskOrder order, HttpServletRequest request, FieldErrors errors) {
+  /**
+   * @param atField files what the fleet refuses under a field of the form
+   */
+  static Optional<TaskView> submit(
+      TaskOrder order,
+      UnaryOperator<Answer<TaskView>> atField,
+      HttpServletRequest request,
+      FieldErrors errors) {
     Account user = Caller.of(request).account();
     return switch (services(request)
         .submitter()
@@ -148,13 +175,13 @@ public final class NewTaskPage extends PageHandler {
             user,
             IdempotentSubmitter.idempotencyKey(user, "form " + idempotencyKey(request)))) {
       case KeyedAnswer.Answered<TaskView>(var answer) ->
-          acceptedValue(request, atFormField(order, answer), errors);
+          acceptedValue(request, atField.apply(answer), errors);
       case KeyedAnswer.Repeated<TaskView>(TaskView before) -> Optional.of(before);
       case KeyedAnswer.KeyReused<TaskView>() ->
           acceptedValue(
               request,
-              atFormField(
-                  order, FleetAnswers.await(services(request).fleet().submit(order, user.name()))),
+              atField.apply(
+                  FleetAnswers.await(services(request).fleet().submit(order, user.name()))),
               errors);
     };
   }
@@ -172,7 +199,7 @@ public final class NewTaskPage extends PageHandler {
   }
 
   /** The same form that was sent twice, as by a double click, orders one task. */
-  private static String idempotencyKey(HttpServletRequest request) {
+  static String idempotencyKey(HttpServletRequest request) {
     return Objects.requireNonNullElseGet(
         request.getParameter("idempotencyKey"), () -> UUID.randomUUID().toString());
   }
@@ -187,6 +214,8 @@ public final class NewTaskPage extends PageHandler {
             .findFirst()
             .orElseGet(floors::getFirst);
     request.setAttribute("weekdays", DayOfWeek.values());
+    request.setAttribute(
+        "templates", TemplateAccess.seenBy(Caller.of(request), services(request).templates()));
     request.setAttribute("floor", floor);
     List<RobotView> robots =
         services(request).fleet().snapshots().latest().robots().stream()

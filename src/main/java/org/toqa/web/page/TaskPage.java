@@ -258,6 +258,8 @@ public final class TaskPage extends PageHandler {
     request.setAttribute("stations", floorOf(request, task).stations());
     request.setAttribute("version", Version.of(task));
     request.setAttribute("mayGoOn", Caller.of(request).has(Permission.ORDER));
+    request.setAttribute("stopEntries", StopEntries.of(task.task()).orElse(null));
+    request.setAttribute("mayOrder", Caller.of(request).mayOrder());
     request.setAttribute("mayChange", TaskCommandReader.canChange(Caller.of(request), task));
     request.setAttribute(
         "followed",

@@ -66,6 +66,7 @@ import org.toqa.web.api.SupervisionResource;
 import org.toqa.web.api.TaskPreviewResource;
 import org.toqa.web.api.TaskResource;
 import org.toqa.web.api.TasksResource;
+import org.toqa.web.api.TemplatesResource;
 import org.toqa.web.api.TrackResource;
 import org.toqa.web.api.TracksResource;
 import org.toqa.web.api.UserResource;
@@ -108,6 +109,9 @@ import org.toqa.web.page.StatisticsPage;
 import org.toqa.web.page.SupervisionPage;
 import org.toqa.web.page.TaskPage;
 import org.toqa.web.page.TasksPage;
+import org.toqa.web.page.TemplateEditPage;
+import org.toqa.web.page.TemplatePage;
+import org.toqa.web.page.TemplatesPage;
 import org.toqa.web.page.UserPage;
 import org.toqa.web.page.UsersPage;
 import org.toqa.web.page.WebhooksPage;
@@ -163,6 +167,15 @@ public final class Routes {
           post("/schedules/{id}/pause", ORDER, SchedulesPage::pause),
           post("/schedules/{id}/resume", ORDER, SchedulesPage::resume),
           post("/schedules/{id}/delete", ORDER, SchedulesPage::delete),
+          get("/templates", VIEW, TemplatesPage::show),
+          post("/templates", ORDER, TemplateEditPage::add),
+          get("/templates/new", ORDER, TemplateEditPage::showNew),
+          post("/templates/new", ORDER, TemplateEditPage::ofForm),
+          get("/templates/{id}", ORDER, TemplatePage::show),
+          post("/templates/{id}", ORDER, TemplatePage::submit),
+          get("/templates/{id}/edit", ORDER, TemplateEditPage::show),
+          post("/templates/{id}/edit", ORDER, TemplateEditPage::replace),
+          post("/templates/{id}/delete", ORDER, TemplatesPage::delete),
           get("/robots", VIEW, RobotsPage::show),
           post("/robots", MANAGE, RobotsPage::add),
           get("/robots/{name}", VIEW, RobotPage::show),
@@ -293,6 +306,11 @@ public final class Routes {
           delete("/api/v1/schedules/{id}", ORDER, ScheduleResource::delete),
           post("/api/v1/schedules/{id}/pause", ORDER, ScheduleResource::pause),
           post("/api/v1/schedules/{id}/resume", ORDER, ScheduleResource::resume),
+          get("/api/v1/templates", VIEW, TemplatesResource::list),
+          post("/api/v1/templates", ORDER, TemplatesResource::add),
+          get("/api/v1/templates/{id}", VIEW, TemplatesResource::get),
+          put("/api/v1/templates/{id}", ORDER, TemplatesResource::replace),
+          delete("/api/v1/templates/{id}", ORDER, TemplatesResource::delete),
           get("/api/v1/robots", VIEW, RobotsResource::list),
           post("/api/v1/robots", MANAGE, RobotsResource::add),
           get("/api/v1/robots/{name}", VIEW, RobotResource::get),
@@ -437,7 +455,7 @@ public final class Routes {
     if (method.equals("GET")) {
       return Scope.READ;
     }
-    return Stream.of("tasks", "orders", "schedules")
+    return Stream.of("tasks", "orders", "schedules", "templates")
             .anyMatch(subject -> path.startsWith("/api/v1/" + subject))
         ? Scope.TASKS
         : Scope.MANAGE;

@@ -21,6 +21,8 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.TimeUnit;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 import org.jspecify.annotations.Nullable;
 import org.toqa.app.config.Setting;
 import org.toqa.web.TestClient;
@@ -94,6 +96,33 @@ final class AttackRun implements AutoCloseable {
     assertEquals(201, manager.postJson("api/v1/floors", loft).statusCode());
     String schedule = "{\"task\":" + ORDER + ",\"at\":\"2099-01-01T10:00:00Z\"}";
     assertEquals(201, manager.postJson("api/v1/schedules", schedule).statusCode());
+    String template =
+        """
+        {"name":"Usual","order":%s,
+         "parameters":[{"name":"to","field":"goal"},{"name":"kg","field":"load"}]}
+        """
+            .formatted(ORDER);
+    HttpResponse<String> stored = manager.postJson("api/v1/templates", template);
+    assertEquals(201, stored.statusCode());
+    places.put("template", stored.body().replaceFirst("(?s).*?\"id\":(\\d+).*", "$1"));
+    String used =
+        """
+        {"task":{"template":"Usual","values":{"to":{"station":"Mill"},"kg":2}},
+         "at":"2099-01-01T10:00:00Z"}
+        """;
+    assertEquals(201, manager.postJson("api/v1/schedules", used).statusCode());
+  }
+
+  /** But for the first one, so that none is called as the next attack. */
+  void removeTemplates() {
+    Matcher ids =
+        Pattern.compile("\"id\":(\\d+),\"name\"").matcher(manager.get("api/v1/templates").body());
+    while (ids.find()) {
+      if (!ids.group(1).equals(places.get("template"))) {
+        String path = "api/v1/templates/" + ids.group(1);
+        expectStatus(204, manager.sendJson("DELETE", path, ""), "removing " + path);
+      }
+    }
   }
 
   AttackedServer server() {

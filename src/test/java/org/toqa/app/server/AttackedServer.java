@@ -62,6 +62,7 @@ final class AttackedServer implements AutoCloseable {
               + " start_station, goal_x, goal_y, goal_station, priority, deadline, held from tasks",
           "select id, name, user_name, floor, load_kg, priority, kind, first_at, every_s, weekdays,"
               + " time_of_day, zone, until_at, paused from schedules",
+          "select id, name, floor, task_order, parameters, shared from task_templates",
           "select floor from floor_holds",
           "select id, name, url, robot, floor from cameras",
           "select id, name, kind, hardware_address, address from network_devices",

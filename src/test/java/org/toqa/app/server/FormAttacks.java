@@ -28,12 +28,14 @@ import org.toqa.web.route.Routes;
  */
 final class FormAttacks {
   /**
-   * Forms of states that no page is in here. They have buttons only, but for the first five: the
-   * fourth is attacked together with the pause that it ends, the fifth as an order.
+   * Forms of states that no page is in here. They have buttons only, but for the first six: the
+   * second reads what /tasks/new reads, the fifth is attacked together with the pause that it ends,
+   * the sixth as an order.
    */
   private static final Set<String> NOT_SHOWN =
       Set.of(
           "/first-start",
+          "/templates/new",
           "/notices/seen",
           "/tasks/{id}/answer",
           "/tasks/{id}/load-removed",
@@ -183,6 +185,9 @@ final class FormAttacks {
     }
     if (answer.statusCode() == 303 && form.route().equals("/floors")) {
       run.removeFloor(values.getOrDefault("name", ""));
+    }
+    if (answer.statusCode() == 303 && form.route().equals("/templates")) {
+      run.removeTemplates();
     }
     if (answer.statusCode() == 303 && form.route().equals("/sites")) {
       run.removeSite(values.getOrDefault("name", ""));
@@ -334,6 +339,9 @@ final class FormAttacks {
                 "users/{self}",
                 "tasks/{held}",
                 "orders/{order}",
+                "templates/new?order=%7B%22name%22:%22Box%22%7D",
+                "templates/{template}",
+                "templates/{template}/edit",
                 "robots/r1",
                 "robots/Absent")
             .map(run::filled)

@@ -21,6 +21,11 @@ import org.toqa.web.WebTestServer;
 final class FormCases {
   private static final String DAY = "2099-01-01T10:00";
 
+  private static final String ORDER_JSON =
+      """
+      {"name":"Box","load":2,"start":{"station":"Goods-in 1"},"goal":{"station":"Mill"}}\
+      """;
+
   private static final Map<String, String> ORDER =
       Map.of("name", "Box", "load", "2", "startStation", "Goods-in 1", "goalStation", "Mill");
 
@@ -152,6 +157,31 @@ final class FormCases {
                 refused("ground", "robots", "seed", "startX", "startY", "targetX", "targetY"))
             .answeredWith(422), // none is begun
         FormCase.of("schedules", "/schedules/{id}/delete", Map.of(), Map.of("version", CONFLICT)),
+        FormCase.of(
+            "templates/new?order=%7B%22name%22:%22Box%22%7D",
+            "/templates",
+            Map.of("name", "Box", "order", ORDER_JSON, "ask.load", "always", "as.load", "kg"),
+            and(
+                refused("order", "as.load"),
+                and(
+                    and(refused(asked()), named("as.goal")),
+                    Map.of("name", NAME_OF_100, "shared", TAKEN)))),
+        FormCase.of(
+            "templates/{template}/edit",
+            "/templates/{id}/edit",
+            Map.of("name", "Usual"),
+            and(
+                refused("order", "as.load", "as.goal"),
+                and(
+                    and(refused(asked()), named()),
+                    Map.of("name", NAME_OF_100, "shared", TAKEN, "version", CONFLICT)))),
+        FormCase.of(
+            "templates/{template}",
+            "/templates/{id}",
+            Map.of("values.kg", "2", "values.toStation", "Mill"),
+            and(refused("values.kg", "values.toStation", "when"), Map.of("idempotencyKey", TAKEN))),
+        FormCase.of("templates", "/templates/{id}/delete", Map.of(), Map.of("version", CONFLICT))
+            .answeredWith(409), // a schedule uses it
         FormCase.of(
             "robots",
             "/robots",
@@ -350,6 +380,21 @@ final class FormCases {
   }
 
   private FormCases() {}
+
+  /** What a template may ask for. */
+  private static String[] asked() {
+    return Stream.of("name", "load", "start", "goal", "priority", "onlyRobots", "deadline")
+        .map("ask."::concat)
+        .toArray(String[]::new);
+  }
+
+  /** Names for what is not asked for count for nothing. */
+  private static Map<String, Verdict> named(String... more) {
+    return Stream.concat(
+            Stream.of("as.name", "as.start", "as.priority", "as.onlyRobots", "as.deadline"),
+            Stream.of(more))
+        .collect(Collectors.toMap(field -> field, field -> TAKEN));
+  }
 
   private static Map<String, Verdict> refused(String... fields) {
     return Arrays.stream(fields).collect(Collectors.toMap(field -> field, field -> REFUSED));

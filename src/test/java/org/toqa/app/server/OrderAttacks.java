@@ -61,7 +61,7 @@ final class OrderAttacks {
       }
       send(order, null, null, token);
     }
-    for (String list : List.of("tasks", "schedules", "robots", "users", "history")) {
+    for (String list : List.of("tasks", "schedules", "templates", "robots", "users", "history")) {
       HttpResponse<String> answer = run.manager().get("api/v1/" + list);
       run.expectStatus(200, answer, list);
       run.check(list, answer);
@@ -131,6 +131,8 @@ final class OrderAttacks {
         run.tasks().cancel(task.get("id").asLong());
       } else if (order.path().equals("floors")) {
         run.removeFloor(body.get("name").asString());
+      } else if (order.path().equals("templates")) {
+        run.removeTemplates();
       } else if (order.path().equals("sites")) {
         run.removeSite(body.get("name").asString());
       } else if (order.path().equals("orders")) {

@@ -34,6 +34,17 @@ final class OrderCases {
       {"name":"Look","kind":"DRIVE","stops":[{"charge":{"charger":"C1"}}]}\
       """;
 
+  private static final String FROM_TEMPLATE =
+      """
+      {"template":"Usual","values":{"to":{"station":"Mill"},"kg":2}}\
+      """;
+
+  private static final String TEMPLATE =
+      """
+      {"name":"Usual{n}","order":{"load":2,"start":{"station":"Goods-in 1"}},
+       "parameters":[{"name":"to","field":"goal"},{"name":"kg","field":"load"}]}\
+      """;
+
   private static final String DRAWING =
       """
       {"width":9,"height":9,"resolution":1,"origin":{"x":0,"y":0},
@@ -121,6 +132,18 @@ final class OrderCases {
             "{'task':" + TASK + ",'weekdays':['MONDAY'],'time':'08:00','zone':'UTC'}",
             Map.of("/weekdays/0", REFUSED, "/time", REFUSED, "/zone", REFUSED),
             201),
+        post(
+            "schedules",
+            "{'task':" + FROM_TEMPLATE + ",'at':'2099-01-01T10:00:00Z'}",
+            Map.of("/task/template", REFUSED, "/task/values/to", REFUSED),
+            201),
+        post(
+            "tasks/preview",
+            FROM_TEMPLATE,
+            Map.of("/template", REFUSED, "/values/to", REFUSED, "/values/kg", REFUSED),
+            200),
+        post("templates", TEMPLATE, template(), 201),
+        new OrderCase("PUT", "templates/{template}", TEMPLATE, template(), 200),
         post(
             "robots",
             "{'name':'Spare{n}','host':'127.0.0.1','port':9,'maxLoad':5}",
@@ -317,6 +340,14 @@ final class OrderCases {
     return body.replace('\'', '"')
         .replace("{password}", WebTestServer.PASSWORD)
         .replace("{code}", AttackedServer.PAIRING_CODE);
+  }
+
+  private static Map<String, Verdict> template() {
+    return Map.of(
+        "/name", NAME_OF_100,
+        "/order/start/station", REFUSED,
+        "/parameters/0/name", REFUSED,
+        "/parameters/0/field", REFUSED);
   }
 
   private static Map<String, Verdict> and(Map<String, Verdict> first, Map<String, Verdict> more) {

@@ -2,11 +2,17 @@ package org.toqa.fleet.manager;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
+import java.time.Instant;
 import java.util.List;
 import java.util.Map;
 import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.Test;
 import org.toqa.fleet.MapProblem;
+import org.toqa.fleet.Recurrence;
+import org.toqa.fleet.Schedule;
+import org.toqa.fleet.TaskOrder;
+import org.toqa.fleet.TaskOrder.StopOrder;
+import org.toqa.fleet.TaskOrder.Where;
 import org.toqa.geometry.Vec2;
 import org.toqa.grid.Area;
 import org.toqa.grid.Direction;
@@ -14,6 +20,9 @@ import org.toqa.grid.FloorDrawing;
 import org.toqa.grid.OccupancyGrid;
 import org.toqa.grid.OneWay;
 import org.toqa.grid.Place;
+import org.toqa.mission.Stop;
+import org.toqa.mission.TaskPlace;
+import org.toqa.mission.TransportTask;
 
 /** Two halls of cells of 1 m, joined by two corridors that are one cell high. */
 class MapCheckTest {
@@ -74,6 +83,43 @@ class MapCheckTest {
             "The floor cellar has a station East already, and names of stations are unique in a"
                 + " site. Choose another name."),
         blocking(List.of(), "cellar"));
+  }
+
+  @Test
+  void aChargerThatTasksAndSchedulesNameIsNotTakenAway() {
+    Instant at = Instant.parse("2026-11-28T10:00:00Z");
+    TaskPlace there = new TaskPlace(new Vec2(3.5, 2.5), null);
+    TransportTask task =
+        new TransportTask(7, "Tea", 1, there, there, "hall", 0, null, null, "Ann", at)
+            .withStops(
+                List.of(
+                    new Stop(there, false, null),
+                    new Stop(there, false, null, new Stop.Charge("C1", 0.8)),
+                    new Stop(there, false, null, new Stop.Charge(null, 0.8)),
+                    new Stop(there, false, null, new Stop.Charge("C2", null))));
+    TaskOrder order =
+        new TaskOrder("Round", 0, new Where.Charger("C1"), new Where.Charger("C1"), null, 0, null, null)
+            .along(List.of(new StopOrder(new Where.Charger("C1"), false, null, 1.0)));
+    Schedule schedule = Schedule.of(order, new Recurrence.Once(at.plusSeconds(60)), null, "Ann", at);
+    FloorDrawing drawing =
+        new FloorDrawing(
+            WALLS,
+            List.of(WEST, WEST_2, EAST),
+            List.of(),
+            List.of(place("C2", 9.5, 2.5)),
+            List.of(),
+            List.of(),
+            List.of());
+
+    assertEquals(
+        List.of(
+            "Task 7 charges at C1. Keep the charger, or finish or cancel the task first.",
+            "The schedule Round charges at C1. Keep the charger, or delete the schedule first."),
+        new MapCheck(WALLS, Map.of(), List.of(), List.of(task), List.of(), List.of(schedule))
+            .problems(drawing).stream()
+                .filter(MapProblem::isBlocking)
+                .map(problem -> problem.text().english())
+                .toList());
   }
 
   private static List<String> blocking(List<OneWay> oneWay, @Nullable String floorWithEast) {

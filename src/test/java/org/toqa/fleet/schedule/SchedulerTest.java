@@ -336,6 +336,8 @@ class SchedulerTest {
   }
 
   private long add(TaskOrder order, Recurrence recurrence, @Nullable Instant until) {
-    return schedules.add(Schedule.of(order, recurrence, until, "Clara", START), UUID.randomUUID());
+    return schedules
+        .add(Schedule.of(order, recurrence, until, "Clara", START), UUID.randomUUID())
+        .orElseThrow();
   }
 }

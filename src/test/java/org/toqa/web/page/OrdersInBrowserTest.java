@@ -167,6 +167,73 @@ class OrdersInBrowserTest extends PagesInBrowser {
     page.navigate(server.root() + "tasks");
     assertThat(page.locator("tbody tr").first()).containsText("Shelf 3 – A charger of its choice");
     assertThat(page.locator("tbody .state").first()).hasText("Driving");
+    page.navigate(server.root() + "tasks/1");
+    page.getByText("Duplicate task").click();
+    assertThat(page.locator("#kind")).hasValue("drive");
+    click(button(page, "Create task"));
+    assertThat(page.locator("h1")).hasText("Look");
+    assertEquals(
+        server.fleet().task(1).orElseThrow().task().stops(),
+        server.fleet().task(2).orElseThrow().task().stops());
+  }
+
+  /** A clerk makes it of a task's form and uses it; a manager makes it everybody's, in Arabic. */
+  @Test
+  void aTaskIsSavedAsATemplateAndOrderedFromIt() {
+    Page page = loggedIn(WebTestServer.CLERK, DESK, "tasks/new");
+    fillTask(page);
+    click(button(page, "Save as template…"));
+    page.locator("#name").fill("Bolts to a shelf");
+    page.locator("[name='ask.start']").selectOption("suggest");
+    page.locator("[name='ask.goal']").selectOption("always");
+    page.locator("[name='ask.load']").selectOption("always");
+    page.locator("[name='as.load']").fill("from");
+    assertFits(page, "template-new", DESK, PHONE, DARK_PHONE);
+    click(button(page, "Save template"));
+    assertThat(page.locator("[name='as.start'][aria-invalid]")).hasCount(1);
+    page.locator("[name='as.load']").fill("kg");
+    click(button(page, "Save template"));
+    assertThat(page.locator("tbody tr")).hasCount(1);
+    assertThat(page.locator("tbody tr")).containsText("from → to");
+    assertFits(page, "templates", DESK, PHONE);
+
+    page.navigate(server.root() + "tasks/new");
+    page.getByText("Bolts to a shelf").click();
+    click(button(page, "Create task"));
+    assertThat(page.locator("[aria-invalid=true]")).hasCount(2);
+    page.locator("[name='values.kg']").fill("2.5");
+    page.locator("[name='values.toStation']").selectOption("Shelf 3");
+    assertThat(page.locator("#preview")).isVisible();
+    assertFits(page, "template", DESK, PHONE, DARK_PHONE);
+    click(button(page, "Create task"));
+    assertThat(page.locator("h1")).hasText("Bolts");
+    assertEquals(2.5, server.fleet().task(1).orElseThrow().task().load());
+
+    Page manager =
+        loggedIn(
+            WebTestServer.MANAGER,
+            new Browser.NewContextOptions().setViewportSize(390, 844).setLocale("ar"),
+            "templates");
+    manager.locator("tbody a[href$='/edit']").click();
+    manager.locator("[name=shared]").check();
+    assertFits(manager, "template-edit-ar", DESK, PHONE);
+    manager.locator("form.template .choices button").click();
+    assertThat(manager.locator("tbody tr")).containsText("للجميع");
+    assertFits(manager, "templates-ar", DESK, PHONE);
+    page.navigate(server.root() + "templates");
+    assertThat(page.locator("tbody a[href$='/edit']")).hasCount(0);
+    page.locator("tbody a[role=button]").click();
+    page.locator("#when").selectOption("weekly");
+    page.getByText("Monday").click();
+    page.locator("#time").fill("08:00");
+    page.locator("[name='values.kg']").fill("1");
+    page.locator("[name='values.toStation']").selectOption("Shelf 3");
+    click(button(page, "Create task"));
+    assertThat(page.locator("tbody tr")).containsText("From template Bolts to a shelf");
+    manager.navigate(server.root() + "templates");
+    manager.locator("tbody summary").click();
+    manager.locator("button.danger").click();
+    assertThat(manager.locator(".notice.bad")).containsText("1");
   }
 
   @Test
@@ -180,7 +247,7 @@ class OrdersInBrowserTest extends PagesInBrowser {
     page.locator("details.stops summary").click();
     page.locator("select[name=stopStation]").first().selectOption("Dock A");
     assertFits(page, "new-order-ar", DESK, PHONE);
-    page.locator("form.task button").click();
+    page.locator("form.task button:not([formaction])").click();
     assertThat(page.locator("tbody tr")).hasCount(2);
 
     server.fleet().changeTask(1, TaskState.CANCELLED, List.of(), "It was cancelled.");
@@ -205,7 +272,7 @@ class OrdersInBrowserTest extends PagesInBrowser {
     day.choose("select[name=stopWait]", "300");
     day.choose("#carriedBy", "one");
     assertFits(page, "new-tour-" + language, byKeyboard ? DESK : PHONE);
-    day.press("form.task > .choices button");
+    day.press("form.task > .choices button:not([formaction])");
     Locator stops = page.locator("ol.stops li");
     assertThat(stops).hasCount(3);
 
@@ -226,7 +293,7 @@ class OrdersInBrowserTest extends PagesInBrowser {
     assertThat(page.locator("#actions button[name=answer][value=wait]")).hasCount(0);
 
     order(day, "Bolts");
-    day.press("form.task > .choices button");
+    day.press("form.task > .choices button:not([formaction])");
     assertThat(page.locator("h1")).hasText("Bolts");
     day.press("#actions details:has(form[action$='/cancel']) summary");
     day.press("#actions form[action$='/cancel'] button.danger");

@@ -127,6 +127,8 @@ class OpenApiTest {
             "post /api/v1/tasks/{id}/priority 200",
             "post /api/v1/orders 201",
             "post /api/v1/schedules 201",
+            "post /api/v1/templates 201",
+            "put /api/v1/templates/{id} 200",
             "post /api/v1/robots 201",
             "put /api/v1/robots/{name} 200",
             "put /api/v1/robots/{name}/limits/{reading} 200",
