@@ -168,7 +168,7 @@ public final class TemplateReader {
         .sentences()
         .forEach((field, sentence) -> fields.errors().add(at(field, examples), sentence));
     if (read.deadline() != null && OpenFields.value(order, "deadline") != null) {
-      refuseDeadline(template, examples);
+      refuseDeadline(examples);
     }
     if (found.isEmpty()) {
       checkStations(read, floor);
@@ -184,7 +184,7 @@ public final class TemplateReader {
   }
 
   /** A moment passes: it is said with each order, or not at all. */
-  private void refuseDeadline(TaskTemplate template, Map<String, Integer> examples) {
+  private void refuseDeadline(Map<String, Integer> examples) {
     if (!examples.containsKey("deadline")) {
       refuse(fields.path(ORDER) + ".deadline", "error.template.deadline");
     }

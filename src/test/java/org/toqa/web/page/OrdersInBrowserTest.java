@@ -232,7 +232,7 @@ class OrdersInBrowserTest extends PagesInBrowser {
     assertThat(page.locator("tbody tr")).containsText("From template Bolts to a shelf");
     manager.navigate(server.root() + "templates");
     manager.locator("tbody summary").click();
-    manager.locator("button.danger").click();
+    manager.locator("tbody button.danger").click();
     assertThat(manager.locator(".notice.bad")).containsText("1");
   }
 
