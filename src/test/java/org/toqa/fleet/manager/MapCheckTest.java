@@ -98,9 +98,11 @@ class MapCheckTest {
                     new Stop(there, false, null, new Stop.Charge(null, 0.8)),
                     new Stop(there, false, null, new Stop.Charge("C2", null))));
     TaskOrder order =
-        new TaskOrder("Round", 0, new Where.Charger("C1"), new Where.Charger("C1"), null, 0, null, null)
+        new TaskOrder(
+                "Round", 0, new Where.Charger("C1"), new Where.Charger("C1"), null, 0, null, null)
             .along(List.of(new StopOrder(new Where.Charger("C1"), false, null, 1.0)));
-    Schedule schedule = Schedule.of(order, new Recurrence.Once(at.plusSeconds(60)), null, "Ann", at);
+    Schedule schedule =
+        Schedule.of(order, new Recurrence.Once(at.plusSeconds(60)), null, "Ann", at);
     FloorDrawing drawing =
         new FloorDrawing(
             WALLS,
