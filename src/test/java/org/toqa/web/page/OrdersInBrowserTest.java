@@ -233,7 +233,7 @@ class OrdersInBrowserTest extends PagesInBrowser {
     manager.navigate(server.root() + "templates");
     manager.locator("tbody summary").click();
     manager.locator("tbody button.danger").click();
-    assertThat(manager.locator(".notice.bad")).containsText("1");
+    assertThat(manager.locator("main .notice.bad")).containsText("1");
   }
 
   @Test
