@@ -1,6 +1,7 @@
 package org.toqa.traffic.floor;
 
 import java.util.Collection;
+import java.util.Comparator;
 import java.util.List;
 import java.util.Objects;
 import java.util.Optional;
@@ -50,7 +51,7 @@ final class WaitReasonFinder {
     return singleRobotPlanner
         .pathAlone(robot)
         .flatMap(alone -> firstBlocking(robot, alone, notMovable, claimed))
-        .or(() -> stayingOnLanes(robot, robots, claimed))
+        .or(() -> onLanes(robot, robots, claimed))
         .orElseGet(() -> reasonWithoutPath(robot, goal));
   }
 
@@ -83,21 +84,30 @@ final class WaitReasonFinder {
         .position();
   }
 
-  /** Who stays on lanes that lead to its goal, as in an aisle hardly wider than itself. */
-  private Optional<WaitReason> stayingOnLanes(
+  /**
+   * Who is on lanes that lead to its goal, as in an aisle hardly wider than itself: first who does
+   * not leave by itself; where nobody is, it has only not been planned.
+   */
+  private Optional<WaitReason> onLanes(
       TrafficRobot robot, Collection<TrafficRobot> robots, ClaimedAreas claimed) {
     List<SweptArea> way = LaneWay.areas(freeSpace.seenBy(robot), robot);
+    if (way.isEmpty()) {
+      return Optional.empty();
+    }
     SweptArea standing = robot.areaAt(robot.committedEnd());
     return robots.stream()
         .filter(other -> other != robot)
-        .filter(other -> !other.isMovable() || SingleRobotPlanner.stays(other))
         .filter(
             other ->
                 claimed.of(other).stream()
                     .anyMatch(
                         area -> way.stream().anyMatch(on -> !Clearance.isKept(standing, on, area))))
-        .findFirst()
-        .map(other -> reason(other, other.pose().position()));
+        .min(
+            Comparator.<TrafficRobot, Boolean>comparing(
+                    other -> other.isMovable() && !SingleRobotPlanner.stays(other))
+                .thenComparing(other -> !other.drive.isOver()))
+        .map(other -> reason(other, other.pose().position()))
+        .or(() -> Optional.of(new WaitReason.NoPlan(Objects.requireNonNull(robot.goal()))));
   }
 
   private static WaitReason reason(TrafficRobot other, Vec2 where) {

@@ -23,6 +23,9 @@ class RightOfWayTest {
   private static final double LOAD = 0.3;
   private static final double LARGE = 0.55;
 
+  /** Robots in each aisle. */
+  private static final int IN_AISLE = 6;
+
   /** Two aisles, 0.8 m wide. */
   private static final OccupancyGrid AISLES =
       DrivenFloor.draw(
@@ -108,6 +111,24 @@ class RightOfWayTest {
 
     String reason = floor.reason("large");
     assertTrue(reason.matches("Waiting for group[01], which stays at its goal .*"), reason);
+  }
+
+  /** Small ones, too many to be planned whole, are at their goals all along both aisles. */
+  @Test
+  void whoIsTooLargeForTheLanesOfOthersIsToldWhoOfThemIsInItsWay() {
+    double side = DrivenFloor.CELL;
+    DrivenFloor floor = new DrivenFloor(AISLES, 3, Duration.ZERO, PLANNING);
+    for (int i = 0; i < 2 * IN_AISLE; i++) {
+      Cell place = new Cell(3 + i / 2, i % 2 == 0 ? 1 : 4);
+      floor.put("r" + i, place);
+      floor.send("r" + i, place);
+    }
+    floor.putAt("large", new Vec2(side, 5 * side), LARGE);
+    floor.sendTo("large", new Vec2(11 * side, 5 * side));
+    floor.drive(Duration.ofSeconds(30));
+
+    String reason = floor.reason("large");
+    assertTrue(reason.matches("Waiting for r\\d+, which blocks the path at .*"), reason);
   }
 
   private static void putGroup(DrivenFloor floor, String leader, Vec2 load) {
