@@ -52,8 +52,7 @@ class LateRobotTest {
     RoadGraph corner = new RoadGraph(OccupancyGrid.parse("...", "#.#", "#.#"));
     Cell bend = new Cell(1, 0);
     PlannedRobot late =
-        new PlannedRobot(
-            "late", new GridPose(bend, Heading.EAST), new Cell(1, 2), 0, false, 1);
+        new PlannedRobot("late", new GridPose(bend, Heading.EAST), new Cell(1, 2), 0, false, 1);
 
     PlannedPath path =
         new RollingHorizonPlanner(model, false, 1)
