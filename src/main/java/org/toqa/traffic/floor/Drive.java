@@ -57,6 +57,9 @@ final class Drive {
   /** Where its last path ended, which it came to but for what a robot is off its place. */
   private @Nullable Pose lastPathEnd;
 
+  /** Kept, since it is asked for at each tick; null: not asked for yet. */
+  private RemainingPath.@Nullable Behind behindOpen;
+
   Drive(Instant now) {
     this.lastProgress = now;
   }
@@ -237,6 +240,17 @@ final class Drive {
       areas.add(path.sections().get(released - 1).endArea());
     }
     return areas;
+  }
+
+  /** What of its path lies behind the section that it is on. */
+  RemainingPath.Behind behindOpen() {
+    ReservedPath on = Objects.requireNonNull(path);
+    RemainingPath.Behind known = behindOpen;
+    if (known == null || !known.isOf(on, completed, released)) {
+      known = RemainingPath.Behind.of(on, completed, released);
+      behindOpen = known;
+    }
+    return known;
   }
 
   /** Seconds at the planned speed for what it may drive behind the section that it is on. */

@@ -487,9 +487,7 @@ public final class FloorTraffic {
     return path == null
         ? RemainingPath.NONE
         : RemainingPath.of(
-            path,
-            drive.completed(),
-            drive.released(),
+            drive.behindOpen(),
             robot.pose(),
             drive.openSection().map(open -> PathDeviation.of(open, robot.pose())));
   }

@@ -26,20 +26,42 @@ public record RemainingPath(List<Vec2> points, int released, @Nullable PathDevia
   }
 
   /**
-   * @param done so many sections are completed; the robot is on the next one
+   * What lies behind the section that a robot is on: the same from tick to tick until it has
+   * completed that section or is released more.
+   *
+   * @param releasedPoints how many of the points it may drive to
    */
-  static RemainingPath of(
-      ReservedPath path, int done, int released, Pose now, Optional<PathDeviation> deviation) {
-    List<Vec2> points = new ArrayList<>(List.of(now.position()));
-    int releasedPoints = 1;
-    for (int i = done; i < path.sectionCount(); i++) {
-      List<Vec2> line = line(path, i);
-      points.addAll(line.subList(i == done ? passed(line, now.position()) : 1, line.size()));
-      if (i < released) {
-        releasedPoints = points.size();
+  record Behind(ReservedPath path, int done, int released, List<Vec2> points, int releasedPoints) {
+
+    /**
+     * @param done so many sections are completed; the robot is on the next one
+     */
+    static Behind of(ReservedPath path, int done, int released) {
+      List<Vec2> points = new ArrayList<>();
+      int releasedPoints = 0;
+      for (int i = done + 1; i < path.sectionCount(); i++) {
+        List<Vec2> line = line(path, i);
+        points.addAll(line.subList(1, line.size()));
+        releasedPoints = i < released ? points.size() : releasedPoints;
       }
+      return new Behind(path, done, released, List.copyOf(points), releasedPoints);
     }
-    return new RemainingPath(points, releasedPoints, deviation.orElse(null));
+
+    @SuppressWarnings("ReferenceEquality") // a path is compared at each tick
+    boolean isOf(ReservedPath other, int otherDone, int otherReleased) {
+      return path == other && done == otherDone && released == otherReleased;
+    }
+  }
+
+  static RemainingPath of(Behind behind, Pose now, Optional<PathDeviation> deviation) {
+    List<Vec2> points = new ArrayList<>(List.of(now.position()));
+    if (behind.done < behind.path.sectionCount()) {
+      List<Vec2> line = line(behind.path, behind.done);
+      points.addAll(line.subList(passed(line, now.position()), line.size()));
+    }
+    int released = behind.done < behind.released ? points.size() + behind.releasedPoints : 1;
+    points.addAll(behind.points);
+    return new RemainingPath(points, released, deviation.orElse(null));
   }
 
   /** One section, from where it begins. */
