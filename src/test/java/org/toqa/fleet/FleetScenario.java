@@ -54,7 +54,7 @@ import org.toqa.wording.Sentence;
  * answer box another robot
  * hold box                          also: hold a, hold all; resume ...
  * a never bids                      also: bids late, refuses awards, bids strangely, bids as usual
- * a breaks                          also: is mended, falls silent, speaks again, sticks, is let go, misses the end
+ * a breaks                          also: is mended, falls silent, speaks again, sticks, is let go, misses the end, is pushed east
  * restart                           of the server
  * expect box CARRYING
  * expect box by a
@@ -252,6 +252,7 @@ final class FleetScenario {
       case "sticks" -> robot.setStuck(true);
       case "is let go" -> robot.setStuck(false);
       case "misses the end" -> robot.missEnd();
+      case "is pushed east" -> robot.shove(new Vec2(3, 0));
       default -> throw new IllegalArgumentException("What is \"" + what + "\"?");
     }
   }

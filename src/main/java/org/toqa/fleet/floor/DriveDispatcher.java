@@ -268,8 +268,18 @@ final class DriveDispatcher {
     if (robot.isStanding() && robot.isFit()) {
       robot.drive.setTold(null);
       robot.agent.tell(state.formations.followOrder(mission, robot));
+    } else if (isOnWayOfItsOwn(robot)) {
+      robot.cancelDrive();
     }
     setWaitReason(robot, null);
+  }
+
+  /** Whether a follower has a drive from before, as to make room for another robot. */
+  private static boolean isOnWayOfItsOwn(FloorRobot robot) {
+    return robot.reported.report().role() == Role.ALONE
+        && robot.reported.drive() != 0
+        && !robot.drive.order().isPending()
+        && !robot.drive.isCancelling();
   }
 
   /**

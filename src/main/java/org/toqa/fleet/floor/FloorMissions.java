@@ -163,9 +163,22 @@ final class FloorMissions {
   }
 
   /**
+   * The last of a group comes to its load only when the others stand there too; until then it is
+   * asked again, since it stands at its goal.
+   *
    * @param stop where it has come; see {@link Mission#stopNumber(Phase)}
    */
   void phaseEnded(long task, String robot, Phase phase, int stop) {
+    boolean isToWait =
+        phase == Phase.TO_OBJECT
+            && state
+                .missions
+                .get(task)
+                .filter(mission -> !state.formations.areOthersInPlace(mission, robot))
+                .isPresent();
+    if (isToWait) {
+      return;
+    }
     applyEvent(task, new MissionEvent.PhaseEnded(robot, phase, stop, state.clock.instant()));
   }
 

@@ -389,6 +389,21 @@ final class Formations {
     return state.isAt(robot, driveGoal(mission, robot.name()).goal());
   }
 
+  /**
+   * Whether all others of the group that this one completes at the load stand at their places: who
+   * came before may have made room for another robot since, and is on its way back.
+   */
+  boolean areOthersInPlace(Mission mission, String last) {
+    List<AssignedRobot> others =
+        mission.assignedRobots().stream().filter(c -> !c.robot().equals(last)).toList();
+    return others.stream().anyMatch(AssignedRobot::isDriving)
+        || others.stream()
+            .filter(c -> !c.unassigned())
+            .map(c -> state.robots.get(c.robot()))
+            .filter(Objects::nonNull)
+            .allMatch(r -> r.isStanding() && isAtGoal(mission, r));
+  }
+
   /** Whether some robot of the mission still moves. */
   boolean isMoving(Mission mission) {
     return mission.assignedRobots().stream()
