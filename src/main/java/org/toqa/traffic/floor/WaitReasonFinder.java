@@ -86,14 +86,11 @@ final class WaitReasonFinder {
 
   /**
    * Who is on lanes that lead to its goal, as in an aisle hardly wider than itself: first who does
-   * not leave by itself; where nobody is, it has only not been planned.
+   * not leave by itself.
    */
   private Optional<WaitReason> onLanes(
       TrafficRobot robot, Collection<TrafficRobot> robots, ClaimedAreas claimed) {
     List<SweptArea> way = LaneWay.areas(freeSpace.seenBy(robot), robot);
-    if (way.isEmpty()) {
-      return Optional.empty();
-    }
     SweptArea standing = robot.areaAt(robot.committedEnd());
     return robots.stream()
         .filter(other -> other != robot)
@@ -106,8 +103,7 @@ final class WaitReasonFinder {
             Comparator.<TrafficRobot, Boolean>comparing(
                     other -> other.isMovable() && !SingleRobotPlanner.stays(other))
                 .thenComparing(other -> !other.drive.isOver()))
-        .map(other -> reason(other, other.pose().position()))
-        .or(() -> Optional.of(new WaitReason.NoPlan(Objects.requireNonNull(robot.goal()))));
+        .map(other -> reason(other, other.pose().position()));
   }
 
   private static WaitReason reason(TrafficRobot other, Vec2 where) {
@@ -132,6 +128,9 @@ final class WaitReasonFinder {
         return new WaitReason.ObstacleOnPath(
             freeSpace.grid().centre(freeSpace.grid().cell(touched)));
       }
+    }
+    if (!LaneWay.areas(freeSpace.seenBy(robot), robot).isEmpty()) {
+      return new WaitReason.NoPlan(goal); // not yet
     }
     return singleRobotPlanner
         .pointAgainstDirection(robot)

@@ -180,6 +180,33 @@ final class FormCases {
             "/templates/{id}",
             Map.of("values.kg", "2", "values.toStation", "Mill"),
             and(refused("values.kg", "values.toStation", "when"), Map.of("idempotencyKey", TAKEN))),
+        FormCase.of(
+            "templates/{template}",
+            "/templates/{id}",
+            Map.of(
+                "values.kg",
+                "2",
+                "values.toStation",
+                "",
+                "values.toX",
+                "3.45",
+                "values.toY",
+                "9.45"),
+            refused("values.toX", "values.toY")),
+        FormCase.of(
+            "templates/{template}",
+            "/templates/{id}",
+            and(
+                Map.of("values.kg", "2", "values.toStation", "Mill"),
+                Map.of("when", "every", "first", DAY, "everyMinutes", "60", "until", DAY)),
+            refused("first", "everyMinutes", "until")),
+        FormCase.of(
+            "templates/{template}",
+            "/templates/{id}",
+            and(
+                Map.of("values.kg", "2", "values.toStation", "Mill"),
+                Map.of("when", "weekly", "weekday", "MONDAY", "time", "08:00")),
+            refused("weekday", "time", "zone")),
         FormCase.of("templates", "/templates/{id}/delete", Map.of(), Map.of("version", CONFLICT))
             .answeredWith(409), // a schedule uses it
         FormCase.of(

@@ -138,6 +138,11 @@ final class OrderCases {
             Map.of("/task/template", REFUSED, "/task/values/to", REFUSED),
             201),
         post(
+            "tasks",
+            FROM_TEMPLATE,
+            Map.of("/template", REFUSED, "/values/to", REFUSED, "/values/kg", REFUSED),
+            201),
+        post(
             "tasks/preview",
             FROM_TEMPLATE,
             Map.of("/template", REFUSED, "/values/to", REFUSED, "/values/kg", REFUSED),

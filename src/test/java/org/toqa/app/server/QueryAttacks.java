@@ -90,7 +90,8 @@ final class QueryAttacks {
           "/api/v1/robots", Map.of("floor", REFUSED),
           "/api/v1/loads", Map.of("floor", REFUSED),
           "/api/v1/notices", Map.of("show", REFUSED),
-          "/api/v1/schedules", Map.of("floor", REFUSED));
+          "/api/v1/schedules", Map.of("floor", REFUSED),
+          "/api/v1/templates", Map.of("floor", REFUSED));
 
   /** Those that are numbers, which the document of the API does not call words. */
   private static final Map<String, Map<String, Verdict>> NUMBERS =
