@@ -301,7 +301,7 @@ class ImportTest {
       delimiter = '|',
       textBlock =
           """
-          name,load,start,goal,colour | Line 1, colour: Unknown column “colour”. Allowed: name,
+          name,load,start,goal,colour | Line 1, colour: Unknown column “colour”. Allowed: template,
           name,load,start,goal,Name   | The column “name” appears twice.
           name,load,start             | Line 1, goal: The column “goal” is missing, or goalX and goalY.
           name,start,goal,goalX       | Line 1, load: The column “load” is missing.
