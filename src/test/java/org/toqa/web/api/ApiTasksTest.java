@@ -206,7 +206,7 @@ class ApiTasksTest extends ApiTestServer {
           {"name":"x","load":2,"start":{"x":1},"goal":{"station":"Shelf 3"}} | 422 | Choose a station, or enter x and y in metres.
           {"name":"x","load":2,"start":{"x":1,"y":1,"station":"Dock A"},"goal":{"station":"Shelf 3"}} | 422 | “start” must be an object with the name of a station ("station": "Store A") or with x and y in metres ("x": 1.5, "y": 2).
           {"name":"x","load":2,"goal":{"station":"Shelf 3"}} | 422 | “start” must be an object with the name of a station ("station": "Store A") or with x and y in metres ("x": 1.5, "y": 2).
-          {"name":"x","load":2,"start":{"station":"Dock A"},"goal":{"station":"Shelf 3"},"colour":"red"} | 422 | Unknown field “colour”. Allowed: kind, stops, name, load, start, goal, floor, priority, deadline, size, onlyRobots, arm.
+          {"name":"x","load":2,"start":{"station":"Dock A"},"goal":{"station":"Shelf 3"},"colour":"red"} | 422 | Unknown field “colour”. Allowed: template, kind, stops, name, load, start, goal, floor, priority, deadline, size, onlyRobots, arm.
           {"name":"x","load":2,"start":{"station":"Dock A","z":1},"goal":{"station":"Shelf 3"}} | 422 | Unknown field “start.z”. Allowed: station.
           {"name":"x","load":2,"start":{"station":"Dock A"},"goal":{"station":"Shelf 3"},"onlyRobots":"r1"} | 422 | “onlyRobots” must be a list of texts in brackets.
           {"name":"x","load":2,"start":{"station":"Dock A"},"goal":{"station":"Shelf 3"},"onlyRobots":["r 1"]} | 422 | Name robots as the list of robots has them, such as r1 and r2.
