@@ -5,6 +5,7 @@ import {drawPath, drawPoint} from '../floor/points.js';
 import {numberIn} from '../shared/locale.js';
 import {text} from '../shared/texts.js';
 import '../shared/time-zone.js';
+import {PlaceFields} from './place-fields.js';
 import {TaskPreview} from './task-preview.js';
 
 // A form that is filled in UTC is read in the reader's own time zone.
@@ -16,60 +17,21 @@ if (filled?.value) {
 
 const $ = (selector) => document.querySelector(selector);
 
-/** The fields of a task's start or goal. */
-class PlaceFields {
+/** The fields of a task's start or goal, which may be a charger. */
+class StopFields extends PlaceFields {
   /** @param name start or goal */
   constructor(name) {
-    this.name = name;
-    this.station = $(`#${name}Station`);
-    this.x = $(`#${name}X`);
-    this.y = $(`#${name}Y`);
+    super(name, $(`#${name}Station`), $(`#${name}X`), $(`#${name}Y`));
     this.choice = $(`input[name="picks"][value="${name}"]`);
   }
 
-  /** As the API takes it; undefined while it is incomplete. */
   get value() {
-    if (this.station.value) {
-      return stopAt(this.station.value);
-    }
-    const point = {x: numberIn(this.x), y: numberIn(this.y)};
-    return point.x === undefined || point.y === undefined ? undefined : point;
+    return this.station.value ? stopAt(this.station.value) : super.value;
   }
 
-  /** Its map point; undefined while it is incomplete. */
   pointOn(floor) {
-    const {value} = this;
-    if (value?.charge) {
-      return floor.charging.find(({name}) => name === value.charge.charger);
-    }
-    return value?.station ? floor.stations.find(({name}) => name === value.station) : value;
-  }
-
-  setStation(name) {
-    this.station.value = name;
-    this.x.value = '';
-    this.y.value = '';
-  }
-
-  setPoint(x, y) {
-    this.station.value = '';
-    this.x.value = x.toFixed(2);
-    this.y.value = y.toFixed(2);
-  }
-
-  onChange(listener) {
-    this.station.addEventListener('change', () => {
-      if (this.station.value) {
-        this.setStation(this.station.value);
-      }
-      listener();
-    });
-    for (const coordinate of [this.x, this.y]) {
-      coordinate.addEventListener('input', () => {
-        this.station.value = '';
-        listener();
-      });
-    }
+    const {charge} = this.value ?? {};
+    return charge ? floor.charging.find(({name}) => name === charge.charger) : super.pointOn(floor);
   }
 }
 
@@ -77,8 +39,8 @@ class PlaceFields {
 class NewTaskPage {
   #floor; // undefined until it is loaded
   #path = []; // of the load
-  #start = new PlaceFields('start');
-  #goal = new PlaceFields('goal');
+  #start = new StopFields('start');
+  #goal = new StopFields('goal');
   #canvas = new FloorCanvas($('#map'), this.#draw.bind(this), this.#pick.bind(this));
   #preview = new TaskPreview($('form.task'), $('#preview'), () => this.#order, (path) => this.#showPath(path));
 

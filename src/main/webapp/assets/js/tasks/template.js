@@ -5,59 +5,22 @@ import {drawPath, drawPoint} from '../floor/points.js';
 import {numberIn} from '../shared/locale.js';
 import {text} from '../shared/texts.js';
 import '../shared/time-zone.js';
+import {PlaceFields} from './place-fields.js';
 import {TaskPreview} from './task-preview.js';
 
 const form = document.querySelector('form.task');
 
 /** The fields of a place that is asked for. */
-class OpenPlace {
-  constructor(fields) {
-    this.name = fields.dataset.place;
-    [this.station, this.x, this.y] =
-      ['station', 'x', 'y'].map((part) => fields.querySelector(`[data-part="${part}"]`));
-  }
-
-  /** As the API takes it; undefined while it is incomplete. */
-  get value() {
-    if (this.station.value) {
-      return {station: this.station.value};
-    }
-    const point = {x: numberIn(this.x), y: numberIn(this.y)};
-    return point.x === undefined || point.y === undefined ? undefined : point;
-  }
-
-  pointOn(floor) {
-    const {value} = this;
-    return value?.station ? floor.stations.find(({name}) => name === value.station) : value;
-  }
-
-  set(station, x, y) {
-    this.station.value = station;
-    this.x.value = station ? '' : x.toFixed(2);
-    this.y.value = station ? '' : y.toFixed(2);
-  }
-
-  onChange(listener) {
-    this.station.addEventListener('change', () => {
-      if (this.station.value) {
-        this.set(this.station.value);
-      }
-      listener();
-    });
-    for (const coordinate of [this.x, this.y]) {
-      coordinate.addEventListener('input', () => {
-        this.station.value = '';
-        listener();
-      });
-    }
-  }
+function placeFields(fields) {
+  const parts = ['station', 'x', 'y'].map((part) => fields.querySelector(`[data-part="${part}"]`));
+  return new PlaceFields(fields.dataset.place, ...parts);
 }
 
 /** The form of a task from a template, with a map on which places are set and the preview is shown. */
 class TemplatePage {
   #floor; // undefined until it is loaded
   #path = [];
-  #places = [...form.querySelectorAll('[data-place]')].map((fields) => new OpenPlace(fields));
+  #places = [...form.querySelectorAll('[data-place]')].map(placeFields);
   #canvas = new FloorCanvas(document.querySelector('#map'), this.#draw.bind(this), this.#pick.bind(this));
   #preview = new TaskPreview(form, document.querySelector('#preview'), () => this.#order, (path) => this.#show(path));
 
@@ -100,7 +63,12 @@ class TemplatePage {
     const at = choices.findIndex(({checked}) => checked);
     const place = this.#places[at];
     if (place) {
-      place.set(this.#floor?.stationAt(x, y, metresPerPixel)?.name ?? '', x, y);
+      const near = this.#floor?.stationAt(x, y, metresPerPixel);
+      if (near) {
+        place.setStation(near.name);
+      } else {
+        place.setPoint(x, y);
+      }
       choices[at + 1]?.click();
       this.#change();
     }

@@ -187,9 +187,8 @@ public final class DemoCommand implements Callable<Integer> {
     tasks.awaitEnd(stop, System.err::println, () -> StoreScenario.isOver(toqa));
     System.err.println();
     System.err.print(tasks.table());
-    System.err.print(StoreScenario.summary(toqa));
-    System.err.printf(
-        "  it took %d s%n", Duration.between(begun, toqa.fleetClock().instant()).toSeconds());
+    System.err.print(
+        StoreScenario.summary(toqa, Duration.between(begun, toqa.fleetClock().instant())));
     if (!once) {
       stop.await();
       return 0;

@@ -167,18 +167,23 @@ final class StoreScenario {
         .isPresent();
   }
 
-  /** What it came to, in a line. */
-  static String summary(FleetServer toqa) {
+  /**
+   * What it came to, in a line.
+   *
+   * @param took in the time of the fleet
+   */
+  static String summary(FleetServer toqa, Duration took) {
     return toqa.supervisor()
         .latest(FLOOR)
         .map(
             s ->
                 String.format(
                     Locale.ROOT,
-                    "  %d boxes of %d at their targets; workers were idle %.1f s a box%n",
+                    "  %d boxes of %d at their targets; workers were idle %.1f s a box; it took %d s%n",
                     s.deliveredCount(),
                     s.boxes().size(),
-                    s.idleSecondsPerBox().orElse(0.0)))
+                    s.idleSecondsPerBox().orElse(0.0),
+                    took.toSeconds()))
         .orElse("");
   }
 }

@@ -51,8 +51,7 @@ final class WaitReasonFinder {
     return singleRobotPlanner
         .pathAlone(robot)
         .flatMap(alone -> firstBlocking(robot, alone, notMovable, claimed))
-        .or(() -> onLanes(robot, robots, claimed))
-        .orElseGet(() -> reasonWithoutPath(robot, goal));
+        .orElseGet(() -> reasonWithoutPath(robot, goal, robots, claimed));
   }
 
   private Optional<WaitReason> robotAtGoal(TrafficRobot robot, Collection<TrafficRobot> robots) {
@@ -85,12 +84,14 @@ final class WaitReasonFinder {
   }
 
   /**
-   * Who is on lanes that lead to its goal, as in an aisle hardly wider than itself: first who does
-   * not leave by itself.
+   * Who is on the lanes that lead to its goal, as in an aisle hardly wider than itself: first who
+   * does not leave by itself.
    */
-  private Optional<WaitReason> onLanes(
-      TrafficRobot robot, Collection<TrafficRobot> robots, ClaimedAreas claimed) {
-    List<SweptArea> way = LaneWay.areas(freeSpace.seenBy(robot), robot);
+  private static Optional<WaitReason> onLanes(
+      List<SweptArea> way,
+      TrafficRobot robot,
+      Collection<TrafficRobot> robots,
+      ClaimedAreas claimed) {
     SweptArea standing = robot.areaAt(robot.committedEnd());
     return robots.stream()
         .filter(other -> other != robot)
@@ -118,7 +119,14 @@ final class WaitReasonFinder {
         : new WaitReason.RobotPassing(other.name, where);
   }
 
-  private WaitReason reasonWithoutPath(TrafficRobot robot, Vec2 goal) {
+  private WaitReason reasonWithoutPath(
+      TrafficRobot robot, Vec2 goal, Collection<TrafficRobot> robots, ClaimedAreas claimed) {
+    List<SweptArea> lanes = LaneWay.areas(freeSpace.seenBy(robot), robot);
+    return onLanes(lanes, robot, robots, claimed)
+        .orElseGet(() -> reasonOfMap(robot, goal, !lanes.isEmpty()));
+  }
+
+  private WaitReason reasonOfMap(TrafficRobot robot, Vec2 goal, boolean hasLanes) {
     for (Vec2 point : singleRobotPlanner.pointsWithoutObstacles(robot)) {
       int touched =
           SweptArea.at(point, robot.radius())
@@ -129,7 +137,7 @@ final class WaitReasonFinder {
             freeSpace.grid().centre(freeSpace.grid().cell(touched)));
       }
     }
-    if (!LaneWay.areas(freeSpace.seenBy(robot), robot).isEmpty()) {
+    if (hasLanes) {
       return new WaitReason.NoPlan(goal); // not yet
     }
     return singleRobotPlanner
