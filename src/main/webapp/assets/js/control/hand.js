@@ -216,8 +216,7 @@ export class Hand {
   /** The page is closed: the robot stands anyway, but is anybody's at once if this still arrives. */
   #abandon() {
     if (this.#lease) {
-      const token = document.querySelector('input[name="_csrf"]')?.value ?? '';
-      fetch(address(`${this.#path}?lease=${this.#lease}`), {method: 'DELETE', keepalive: true, headers: {'X-CSRF-Token': token}});
+      send('DELETE', `${this.#path}?lease=${this.#lease}`);
       this.#lease = undefined;
     }
   }

@@ -46,5 +46,6 @@ function sendOnce(method, path, body, mediaType) {
     method,
     headers: {accept: 'application/json', 'content-type': mediaType ?? 'application/json', 'X-CSRF-Token': csrfToken ?? ''},
     body: mediaType || body === undefined ? body : JSON.stringify(body),
+    keepalive: method === 'DELETE', // what is ended is ended though the page is left at once
   });
 }

@@ -79,8 +79,12 @@ class BuildingDemoIT extends BrowserTest {
       page.mouse().up();
       assertThat(page.locator(".heading .state")).hasText("Idle");
       button(page, "Stop driving by hand").click();
-      page.navigate(root + "history?robot=r2");
-      assertThat(page.locator("main")).containsText("demo stopped driving r2 by hand");
+      page.navigate(root + "history?robot=r2"); // at once: what was clicked is done all the same
+      page.waitForCondition(
+          () -> {
+            page.reload();
+            return page.locator("main").textContent().contains("demo stopped driving r2 by hand");
+          });
 
       demo.terminate();
       // 128 + SIGTERM; a suite in the background hands on that Ctrl-C is ignored

@@ -13,6 +13,7 @@ import java.util.Optional;
 import java.util.OptionalLong;
 import java.util.concurrent.ScheduledFuture;
 import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.apache.coyote.Processor;
@@ -46,6 +47,7 @@ final class LimitedEndpoint extends NioEndpoint {
   private final @Nullable InetAddress proxy;
   private final ReceivedRequests requests = new ReceivedRequests();
   private final AddressCounts addressCounts = new AddressCounts();
+  private final AtomicBoolean isToRecount = new AtomicBoolean();
   private Map<SocketWrapperBase<?>, Long> handshakes = Map.of();
   private @Nullable ScheduledFuture<?> sweep;
 
@@ -97,6 +99,10 @@ final class LimitedEndpoint extends NioEndpoint {
     InetAddress address =
         ((InetSocketAddress) socket.socket().getRemoteSocketAddress()).getAddress();
     String block = AddressBlock.of(address.getHostAddress());
+    if (isToRecount.getAndSet(false)) {
+      // here, where connections are taken, none is between its counting and its place among them
+      addressCounts.set(getConnections().stream().map(LimitedEndpoint::block));
+    }
     boolean mayBeFullOfOne = addressCounts.add(block) > limits.connectionsPerAddress();
     if (getConnectionCount() <= limits.connections() && (!mayBeFullOfOne || isProxy(address))) {
       return true;
@@ -165,7 +171,7 @@ final class LimitedEndpoint extends NioEndpoint {
 
   private void endSlowRequests() {
     long now = System.nanoTime();
-    addressCounts.set(getConnections().stream().map(LimitedEndpoint::block));
+    isToRecount.set(true);
     requests.forgetClosed();
     Map<SocketWrapperBase<?>, Long> unfinished = new HashMap<>();
     for (SocketWrapperBase<NioChannel> connection : getConnections()) {
