@@ -160,8 +160,13 @@ final class RunningServer implements AutoCloseable {
 
   /** How often the task's history has a line that begins so. */
   long eventCount(long id, String beginning) throws Exception {
+    return eventCount(task(id), beginning);
+  }
+
+  /** Of a task as the API shows it. */
+  static long eventCount(JsonNode task, String beginning) {
     long count = 0;
-    for (JsonNode event : task(id).get("history")) {
+    for (JsonNode event : task.get("history")) {
       count += event.get("text").asString().startsWith(beginning) ? 1 : 0;
     }
     return count;

@@ -29,6 +29,9 @@ class H2CompactorTest {
   /** What some fifty commits leave behind that are not forced to the disk yet, and a good deal. */
   private static final long LARGEST_FILE_IN_USE = 3_000_000;
 
+  /** Ends a test that would wait for ever. */
+  private static final int GUARD_SECONDS = 900;
+
   /** The pace of a fleet at work; nothing waits for it to be over. */
   private static final int COMMIT_EACH_MILLIS = 20;
 
@@ -38,7 +41,7 @@ class H2CompactorTest {
   @TempDir private Path folder;
 
   @Test
-  @Timeout(120)
+  @Timeout(GUARD_SECONDS)
   void fileIsNotMuchLargerThanWhatIsInIt() throws Exception {
     Path file = folder.resolve("toqa.mv.db");
     try (Database database = open()) {
@@ -60,7 +63,7 @@ class H2CompactorTest {
 
   /** First as fast as they can be, then one after the other, as in a fleet at work. */
   @Test
-  @Timeout(120)
+  @Timeout(GUARD_SECONDS)
   void fileIsSmallAlsoWhileItIsWrittenTo() throws Exception {
     Path file = folder.resolve("toqa.mv.db");
     try (Database database = open()) {
@@ -79,7 +82,7 @@ class H2CompactorTest {
 
   /** Parts of the file are freed, moved and used again under those who read. */
   @Test
-  @Timeout(120)
+  @Timeout(GUARD_SECONDS)
   void readersFindAllWhileTheFileIsMadeSmaller() throws Exception {
     Path file = folder.resolve("toqa.mv.db");
     try (Database database = open()) {

@@ -10,6 +10,7 @@ import com.microsoft.playwright.Page;
 import com.microsoft.playwright.Playwright;
 import com.microsoft.playwright.Playwright.CreateOptions;
 import com.microsoft.playwright.assertions.PlaywrightAssertions;
+import com.microsoft.playwright.options.ReducedMotion;
 import java.io.File;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -69,7 +70,8 @@ public abstract class BrowserTest {
 
   /** A page in a profile of its own, which is closed after the test. */
   protected final Page openPage(NewContextOptions options) {
-    BrowserContext profile = requireNonNull(browser).newContext(options);
+    BrowserContext profile =
+        requireNonNull(browser).newContext(options.setReducedMotion(ReducedMotion.REDUCE));
     profiles.add(profile);
     Page opened = profile.newPage();
     page = page == null ? opened : page;
