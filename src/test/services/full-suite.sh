@@ -70,7 +70,7 @@ case $tier in
     ;;
   sample)
     seed=${seed:-1}
-    size="-Dtoqa.floors=6 -Dtoqa.crashes=5 -Dtoqa.tries=1"
+    size="-Dtoqa.floors=4 -Dtoqa.crashes=5 -Dtoqa.tries=1"
     size="$size -Dtoqa.fuzz.inputs=10000 -Dtoqa.fuzz.examples=2"
     ;;
 esac

@@ -40,10 +40,10 @@ final class AttackRun implements AutoCloseable {
       "{\"name\":\"Held\",\"load\":2,\"start\":{\"station\":\"Store A\"},"
           + "\"goal\":{\"station\":\"Store B\"}}";
 
-  /** Whether each field is given all attacks; otherwise a third of them, which goes round. */
+  /** Whether each field is given all attacks; otherwise a sixth of them, which goes round. */
   private static final boolean IS_WHOLE = "whole".equals(System.getProperty("toqa.attacks"));
 
-  private static final int THIRDS = 3;
+  private static final int SIXTHS = 6;
 
   /** Whose own account is changed, which ends what this user has logged in elsewhere. */
   static final String OWN = "Olga";
@@ -147,7 +147,7 @@ final class AttackRun implements AutoCloseable {
   List<Attack> nextAttacks() {
     int field = fields++;
     return Arrays.stream(Attack.values())
-        .filter(attack -> IS_WHOLE || (attack.ordinal() + field) % THIRDS == 0)
+        .filter(attack -> IS_WHOLE || (attack.ordinal() + field) % SIXTHS == 0)
         .toList();
   }
 

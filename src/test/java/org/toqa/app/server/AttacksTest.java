@@ -16,7 +16,7 @@ import org.toqa.testbed.Tally;
 /**
  * Wherever somebody gives the server a word he gives it every attack, with all else as it should
  * be, while the fleet carries tasks; each attack has the one right answer. A sample gives each word
- * a third of the attacks, {@code -Dtoqa.attacks=whole} all. Forged forms are in {@code AccessTest},
+ * a sixth of the attacks, {@code -Dtoqa.attacks=whole} all. Forged forms are in {@code AccessTest},
  * planted sessions and guessed passwords in {@code LoginTest}, very many connections in {@code
  * CrowdTest}.
  */
