@@ -59,7 +59,7 @@ final class ActiveHold {
     String path =
         switch (work.kind()) {
           case ROBOT_HOLD -> "robots/" + robot;
-          case FLOOR_HOLD -> "floors/lab";
+          case FLOOR_HOLD -> "floors/" + CrashTestbed.FLOOR;
           default -> "fleet";
         };
     assertAccepted(site, path + (work.kind() == Work.Kind.PAUSE ? "/pause" : "/hold"));

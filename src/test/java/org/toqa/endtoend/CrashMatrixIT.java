@@ -37,6 +37,9 @@ class CrashMatrixIT {
   /** Such as {@code carl task 7: phase 2 is done}. */
   private static final Pattern DELIVERY = Pattern.compile("(\\S+) task (\\d+): phase 2 is done");
 
+  /** Of more runs each says its result when it ends. */
+  private static final int SILENT_RUNS = 20;
+
   /** Two of the robots have nothing but their odometry, and would miss a charger some day. */
   private static final int RUNS_OF_A_SITE = 5;
 
@@ -93,7 +96,26 @@ class CrashMatrixIT {
     isSpoilt = false;
   }
 
+  /** Says its result at once where there are many, so that those who wait see how it goes. */
   private void run(CrashPlan plan) throws Exception {
+    long start = System.nanoTime();
+    String result = "failed";
+    try {
+      judge(plan);
+      result = "nothing lost, nothing done twice";
+    } catch (Exception | AssertionError e) {
+      result = "failed: " + String.valueOf(e.getMessage()).lines().findFirst().orElse("");
+      throw e;
+    } finally {
+      if (RUNS > SILENT_RUNS) {
+        System.out.printf(
+            "crashes, seed %d: %.1f s, %s%n",
+            plan.seed(), (System.nanoTime() - start) / 1e9, result);
+      }
+    }
+  }
+
+  private void judge(CrashPlan plan) throws Exception {
     if (isSpoilt) {
       replaceTestbed(plan.seed());
     }

@@ -21,7 +21,7 @@ import tools.jackson.databind.node.ObjectNode;
  */
 final class PublishedMaps {
   private static final long LIMIT_NANOS = TimeUnit.MINUTES.toNanos(2);
-  private static final String FLOOR = "floors/lab";
+  private static final String FLOOR = "floors/" + CrashTestbed.FLOOR;
 
   private final CrashTestbed site;
 
@@ -69,7 +69,7 @@ final class PublishedMaps {
       ObjectNode drawing = (ObjectNode) draft.get("drawing").deepCopy();
       ArrayNode limits = drawing.putArray("speedLimits");
       ObjectNode area = limits.addObject();
-      area.put("x", 19.2).put("y", 11.1).put("width", 0.3).put("height", 0.3);
+      area.put("x", 0.3).put("y", 4.5).put("width", 0.3).put("height", 0.3);
       area.put("speed", next / 1000.0);
       ObjectNode change = drawing.objectNode().put("revision", draft.get("revision").asLong());
       change.set("drawing", drawing);
@@ -102,7 +102,8 @@ final class PublishedMaps {
     assertEquals(rest, withoutSpeed(drawing));
     assertTrue(possible.contains(speed(drawing)), () -> speed(drawing) + " of " + possible);
     site.server.await(
-        "map?floor=lab", map -> map.get("speedLimits").equals(drawing.get("speedLimits")));
+        "map?floor=" + CrashTestbed.FLOOR,
+        map -> map.get("speedLimits").equals(drawing.get("speedLimits")));
   }
 
   private static JsonNode withoutSpeed(JsonNode drawing) {
