@@ -58,8 +58,9 @@ final class Allocation {
       return seconds;
     }
     double done = open.segments().getFirst().shareDone(open.start(), robot.pose());
-    return seconds
-        + open.segments().stream().mapToDouble(Segment::t).sum()
-        - done * open.segments().getFirst().t();
+    for (Segment segment : open.segments()) {
+      seconds += segment.t();
+    }
+    return seconds - done * open.segments().getFirst().t();
   }
 }

@@ -235,7 +235,9 @@ final class Drive {
   /** All that it may drive behind the section that it is on, in parts. */
   List<SweptArea> allocatedBehindOpen() {
     List<SweptArea> areas = new ArrayList<>();
-    ahead().stream().skip(1).forEach(section -> areas.add(section.area()));
+    for (int i = completed + 1; path != null && i < released; i++) {
+      areas.add(path.sections().get(i).area());
+    }
     if (path != null && released > 0) {
       areas.add(path.sections().get(released - 1).endArea());
     }
@@ -255,7 +257,11 @@ final class Drive {
 
   /** Seconds at the planned speed for what it may drive behind the section that it is on. */
   double secondsBehindOpen() {
-    return ahead().stream().skip(1).mapToDouble(Section::duration).sum();
+    double seconds = 0;
+    for (int i = completed + 1; path != null && i < released; i++) {
+      seconds += path.sections().get(i).duration();
+    }
+    return seconds;
   }
 
   /** All that it may not drive yet, in parts. */

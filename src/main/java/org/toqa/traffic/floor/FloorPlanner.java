@@ -32,12 +32,16 @@ import org.toqa.traffic.lifelong.LifelongPlanner;
 final class FloorPlanner {
   static final Duration RETRY_AFTER = Duration.ofSeconds(1);
 
+  /** Of the time for a plan of all robots, what finding out why some have none may take. */
+  private static final double SHARE_OF_REASONS = 0.25;
+
   private final FreeSpace freeSpace;
   private final SingleRobotPlanner singleRobotPlanner;
   private final LanePlanner lanePlanner;
   private final RightOfWay rightOfWay;
   private final WaitReasonFinder waitReasons;
   private final RoomMaker roomMaker;
+  private final Supplier<Deadline> planningDeadline;
 
   /**
    * @param moves by which robots drive alone
@@ -67,6 +71,7 @@ final class FloorPlanner {
             planningDeadline);
     this.waitReasons = new WaitReasonFinder(freeSpace, singleRobotPlanner, rightOfWay, turns);
     this.roomMaker = new RoomMaker(singleRobotPlanner);
+    this.planningDeadline = planningDeadline;
   }
 
   FloorPlan plan(PlanningRequest request) {
@@ -142,11 +147,20 @@ final class FloorPlanner {
   }
 
   private void findWaitReasons(Collection<TrafficRobot> robots, ClaimedAreas claimed, Instant now) {
+    List<TrafficRobot> due = new ArrayList<>();
     for (TrafficRobot robot : robots) {
       if (!robot.needsPath()) {
         robot.waiting.clearNoPathReason();
       } else if (robot.waiting.isNoPathReasonOlderThan(RETRY_AFTER, now)) {
-        robot.waiting.setNoPathReason(waitReasons.reasonFor(robot, robots, claimed), now);
+        due.add(robot);
+      }
+    }
+    due.sort(Comparator.comparing(robot -> robot.waiting.noPathReasonFound()));
+    Deadline end = planningDeadline.get().afterShare(SHARE_OF_REASONS);
+    for (TrafficRobot robot : due) {
+      robot.waiting.setNoPathReason(waitReasons.reasonFor(robot, robots, claimed), now);
+      if (end.isPassed()) {
+        return; // the others, who were told later, in the next plan
       }
     }
   }

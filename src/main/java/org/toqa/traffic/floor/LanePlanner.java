@@ -32,6 +32,9 @@ final class LanePlanner {
    */
   private static final Duration SAME_WIDTH = Duration.ofSeconds(20);
 
+  /** Of the time for a plan of all robots, what one of their next steps only may take. */
+  private static final double SHARE_OF_STEPS = 0.5;
+
   private final FreeSpace freeSpace;
   private final SectionFitter fitter;
   private final JointPlanner planner;
@@ -74,6 +77,7 @@ final class LanePlanner {
       boolean isStill,
       Instant now) {
     Deadline deadline = planningDeadline.get();
+    Deadline deadlineOfSteps = deadline.afterShare(SHARE_OF_STEPS);
     rightOfWay.setPlanned(Set.of());
     turns.update(robots, now);
     List<LaneAttempt> incomplete = new ArrayList<>();
@@ -87,7 +91,7 @@ final class LanePlanner {
         fewestLeftOut = Math.min(fewestLeftOut, leftOut);
         if (!isStill && attempt.robotCount() > (rightOfWay.isClosed() ? 0 : MOST_WHOLE)) {
           attempt.recordHolders();
-          if (attempt.planAhead(nextSteps, now, deadline)) {
+          if (attempt.planAhead(nextSteps, now, deadlineOfSteps)) {
             keepWidth(attempt.diameter(), now);
             turns.end();
             return LaneOutcome.PLANNED_AHEAD;

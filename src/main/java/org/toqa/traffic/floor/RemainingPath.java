@@ -1,8 +1,10 @@
 package org.toqa.traffic.floor;
 
+import java.util.AbstractList;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.RandomAccess;
 import org.jspecify.annotations.Nullable;
 import org.toqa.geometry.Pose;
 import org.toqa.geometry.Vec2;
@@ -22,7 +24,28 @@ public record RemainingPath(List<Vec2> points, int released, @Nullable PathDevia
   private static final double MAX_ARC_PIECE = 0.3;
 
   public RemainingPath {
-    points = List.copyOf(points);
+    points = points instanceof Joined ? points : List.copyOf(points);
+  }
+
+  /** Two immutable lists, one behind the other: the long one is shared from tick to tick. */
+  private static final class Joined extends AbstractList<Vec2> implements RandomAccess {
+    private final List<Vec2> near;
+    private final List<Vec2> behind;
+
+    Joined(List<Vec2> near, List<Vec2> behind) {
+      this.near = List.copyOf(near);
+      this.behind = behind;
+    }
+
+    @Override
+    public Vec2 get(int index) {
+      return index < near.size() ? near.get(index) : behind.get(index - near.size());
+    }
+
+    @Override
+    public int size() {
+      return near.size() + behind.size();
+    }
   }
 
   /**
@@ -60,8 +83,8 @@ public record RemainingPath(List<Vec2> points, int released, @Nullable PathDevia
       points.addAll(line.subList(passed(line, now.position()), line.size()));
     }
     int released = behind.done < behind.released ? points.size() + behind.releasedPoints : 1;
-    points.addAll(behind.points);
-    return new RemainingPath(points, released, deviation.orElse(null));
+    return new RemainingPath(
+        new Joined(points, behind.points), released, deviation.orElse(null));
   }
 
   /** One section, from where it begins. */

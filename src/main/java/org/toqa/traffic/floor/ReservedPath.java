@@ -61,7 +61,11 @@ record ReservedPath(
 
   /** How many segments the first {@code count} sections have. */
   int segmentCount(int count) {
-    return sections.subList(0, count).stream().mapToInt(s -> s.segments().size()).sum();
+    int segments = 0;
+    for (int i = 0; i < count; i++) {
+      segments += sections.get(i).segments().size();
+    }
+    return segments;
   }
 
   /** How many sections are complete when {@code segments} segments are. */

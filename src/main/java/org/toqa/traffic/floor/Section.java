@@ -34,6 +34,10 @@ record Section(
 
   /** Seconds at the planned speed. */
   double duration() {
-    return segments.stream().mapToDouble(Segment::t).sum();
+    double seconds = 0;
+    for (Segment segment : segments) {
+      seconds += segment.t();
+    }
+    return seconds;
   }
 }

@@ -141,6 +141,11 @@ final class SweptArea {
     return least;
   }
 
+  /** Whether another area is in the box round this one, or so near to that, metres. */
+  boolean isInBox(SweptArea other, double near) {
+    return boxGapTo(other) < near;
+  }
+
   /** Metres between the boxes round the two, along one of the axes. */
   private double boxGapTo(SweptArea other) {
     double across = Math.max(other.west - east, west - other.east);

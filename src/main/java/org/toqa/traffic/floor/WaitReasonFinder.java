@@ -154,11 +154,7 @@ final class WaitReasonFinder {
       ClaimedAreas claimed) {
     SweptArea standing = robot.areaAt(robot.committedEnd());
     for (TrafficRobot other : robots) {
-      boolean isBlocking =
-          other != robot
-              && claimed.of(other).stream()
-                  .anyMatch(area -> !Clearance.isKept(standing, section.area(), area));
-      if (isBlocking) {
+      if (other != robot && claimed.isTooNear(other, standing, section.area())) {
         return reason(other, where);
       }
     }

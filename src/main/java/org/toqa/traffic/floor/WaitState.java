@@ -150,6 +150,11 @@ final class WaitState {
     return noPathReason == null || noPathReasonFound.plus(age).isBefore(now);
   }
 
+  /** When it was last found out why it has no path; of one that never had to wait, long ago. */
+  Instant noPathReasonFound() {
+    return noPathReasonFound;
+  }
+
   void setNoPathReason(WaitReason reason, Instant now) {
     noPathReason = reason;
     noPathReasonFound = now;

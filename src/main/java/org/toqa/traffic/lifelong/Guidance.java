@@ -6,6 +6,9 @@ import static org.toqa.traffic.RoadGraph.opposite;
 
 import java.util.Arrays;
 import java.util.BitSet;
+import java.util.Objects;
+import java.util.Queue;
+import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.stream.IntStream;
 import org.toqa.traffic.DistanceTables;
 import org.toqa.traffic.Spacing;
@@ -62,6 +65,11 @@ final class Guidance {
   /** The vertices on which a robot is fixed. */
   private BitSet fixed = new BitSet();
 
+  /** Memory of searches that are over, for the next ones: a large floor wants megabytes. */
+  private final Queue<char[]> spareCosts = new ConcurrentLinkedQueue<>();
+
+  private final Queue<BucketQueue> spareQueues = new ConcurrentLinkedQueue<>();
+
   private final int[] columns;
   private final int[] rows;
 
@@ -93,9 +101,9 @@ final class Guidance {
    * beyond the margin. Any number of threads may call it while nobody announces.
    */
   char[] distances(int start, int goal) {
-    char[] costs = new char[graph.stateCount()];
+    char[] costs = Objects.requireNonNullElseGet(spareCosts.poll(), this::newCosts);
     Arrays.fill(costs, (char) DistanceTables.UNREACHABLE);
-    BucketQueue open = new BucketQueue(graph.stateCount());
+    BucketQueue open = Objects.requireNonNullElseGet(spareQueues.poll(), this::newQueue);
     int first = lowerBound(goal, graph.vertex(start));
     for (int heading = 0; heading < graph.headingCount(); heading++) {
       int state = graph.state(goal, heading);
@@ -113,7 +121,24 @@ final class Guidance {
         last = Math.min(last, costs[start] + MARGIN);
       }
     }
+    open.clear();
+    spareQueues.add(open);
     return costs;
+  }
+
+  private char[] newCosts() {
+    return new char[graph.stateCount()];
+  }
+
+  private BucketQueue newQueue() {
+    return new BucketQueue(graph.stateCount());
+  }
+
+  /** Takes back costs that nobody uses any more: the next ones are written there. */
+  void recycle(char[] costs) {
+    if (costs.length == graph.stateCount()) {
+      spareCosts.add(costs);
+    }
   }
 
   /** What the path between two vertices costs at least: the steps on an empty floor. */
@@ -210,6 +235,13 @@ final class Guidance {
       states = new int[capacity];
       below = new int[capacity];
       Arrays.fill(tops, NONE);
+    }
+
+    void clear() {
+      Arrays.fill(tops, NONE);
+      used = 0;
+      free = NONE;
+      size = 0;
     }
 
     void push(int state, int key) {

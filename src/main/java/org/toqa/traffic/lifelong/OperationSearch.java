@@ -17,15 +17,15 @@ import org.toqa.traffic.mapf.StateGraph;
  * pay for. An operation may conflict with one other robot at most. Everybody always has an
  * operation, the rest of the last one if nothing else, so there is a valid plan at any time.
  *
- * <p>Afterwards robots picked by chance choose again, pushing whomever, where that makes all of
- * them together better off; what a robot loses or gains counts the more, the longer it has been on
+ * <p>Afterwards robots picked by chance, of those that others keep from the best they could do
+ * alone, choose again, pushing whomever, where that makes all of them together better off; what a robot loses or gains counts the more, the longer it has been on
  * its vertex. Where robots fill almost all vertices, these chains and rings are what moves them,
  * and more time finds more of them.
  *
  * <p>Cost: listing a robot's operations, some hundred, is a tree walk that is cut where it meets a
  * second robot. A robot is asked {@value #MOST_VISITS} times at most for each that begins. Robots
- * exchange until the deadline, or until {@value #EFFORT_IN_VAIN_PER_ROBOT} operations a robot were
- * looked at in vain.
+ * exchange until the deadline, or until {@value #EFFORT_IN_VAIN_PER_ROBOT} operations for each that
+ * could be better off were looked at in vain: who meets nobody costs one listing.
  *
  * <p>E. Yukhnevich and A. Andreychuk, "Enhancing PIBT via multi-action operations", 2025.
  */
@@ -84,6 +84,18 @@ final class OperationSearch {
 
   private boolean isExchange;
 
+  /** How many robots chose anew in the last chain, but for one. */
+  private int lastLevel;
+
+  /** By robot: the least cost that its operation could have, whoever is in the way. */
+  private int[] leastCosts = new int[0];
+
+  /** The robots whose operations cost more than that, in any order, and by robot its place. */
+  private int[] unsatisfied = new int[0];
+
+  private int[] places = new int[0];
+  private int unsatisfiedCount;
+
   private Deadline deadline = Deadline.none();
 
   /**
@@ -130,15 +142,84 @@ final class OperationSearch {
   private void exchange() {
     isExchange = true;
     beginner = NONE;
+    findUnsatisfied();
     long last = effort + EXCHANGE_EFFORT_PER_ROBOT * task.robots();
-    long lastInVain = effort + EFFORT_IN_VAIN_PER_ROBOT * task.robots();
-    while (effort < Math.min(last, lastInVain) && !deadline.isPassed()) {
+    long lastInVain = effort + EFFORT_IN_VAIN_PER_ROBOT * unsatisfiedCount;
+    while (unsatisfiedCount > 0
+        && effort < Math.min(last, lastInVain)
+        && !deadline.isPassed()) {
       round++;
       effort++;
-      if (begin(task.order()[random.nextInt(task.robots())])) {
-        lastInVain = effort + EFFORT_IN_VAIN_PER_ROBOT * task.robots();
+      if (begin(unsatisfied[random.nextInt(unsatisfiedCount)])) {
+        for (int k = 0; k <= lastLevel; k++) {
+          updateUnsatisfied(chain[k]);
+        }
+        lastInVain = effort + EFFORT_IN_VAIN_PER_ROBOT * unsatisfiedCount;
       }
     }
+  }
+
+  /** Looks for each robot at the best that it could do if it were alone. */
+  private void findUnsatisfied() {
+    if (leastCosts.length != task.robots()) {
+      leastCosts = new int[task.robots()];
+      unsatisfied = new int[task.robots()];
+      places = new int[task.robots()];
+    }
+    unsatisfiedCount = 0;
+    for (int robot : task.order()) {
+      places[robot] = NONE;
+      leastCosts[robot] =
+          task.fixed().get(robot)
+              ? cost(robot)
+              : leastCost(robot, operations.state(robot, 0), 0, StateGraph.WAIT);
+      updateUnsatisfied(robot);
+    }
+  }
+
+  private void updateUnsatisfied(int robot) {
+    int place = places[robot];
+    if (cost(robot) > leastCosts[robot] && place == NONE) {
+      places[robot] = unsatisfiedCount;
+      unsatisfied[unsatisfiedCount++] = robot;
+    } else if (cost(robot) <= leastCosts[robot] && place != NONE) {
+      int last = unsatisfied[--unsatisfiedCount];
+      unsatisfied[place] = last;
+      places[last] = place;
+      places[robot] = NONE;
+    }
+  }
+
+  /**
+   * The least cost of the robot's operations, whoever is in the way.
+   *
+   * @param state after {@code t} steps
+   * @param former the last action
+   */
+  private int leastCost(int robot, int state, int t, int former) {
+    if (t > 0 && graph.vertex(state) == task.goals()[robot]) {
+      return t * Guidance.STEP;
+    }
+    if (t == depth) {
+      return depth * Guidance.STEP + task.distances()[robot][state];
+    }
+    int least = Integer.MAX_VALUE;
+    int actions = t < task.delays()[robot] ? 1 : graph.actionCount();
+    for (int action = StateGraph.WAIT; action < actions; action++) {
+      int next = graph.successor(state, action);
+      if (next == NONE
+          || (t > task.delays()[robot] && graph.isRedundantPair(former, action))
+          || isClosed(state, action)) {
+        continue;
+      }
+      least = Math.min(least, leastCost(robot, next, t + 1, action));
+    }
+    return least;
+  }
+
+  private boolean isClosed(int state, int action) {
+    int direction = graph.direction(state, action);
+    return direction != NONE && operations.isClosed(graph.vertex(state), direction);
   }
 
   private boolean begin(int robot) {
@@ -193,6 +274,7 @@ final class OperationSearch {
   /** Ends the chain: no other robot blocks this one. */
   private boolean settle(int robot, int level) {
     operations.put(robot);
+    lastLevel = level;
     if (mayRotate) {
       return true;
     }
@@ -280,7 +362,7 @@ final class OperationSearch {
   /** By how much another operation could be better, at most. */
   private int mostGain(int robot) {
     return task.weights()[robot]
-        * Math.max(0, cost(robot) - task.distances()[robot][operations.state(robot, 0)]);
+        * Math.max(0, cost(robot) - leastCosts[robot]);
   }
 
   /** Lists the operations of a robot that conflict with one other at most. */
@@ -321,10 +403,10 @@ final class OperationSearch {
         continue; // what it waits until it is there is no choice, and makes nothing redundant
       }
       int there = graph.vertex(next);
-      int direction = graph.direction(state, action);
-      if (direction != NONE && operations.isClosed(vertex, direction)) {
+      if (isClosed(state, action)) {
         continue;
       }
+      int direction = graph.direction(state, action);
       int met = operations.inWay(vertex, there, direction, t);
       if (met == Operations.SEVERAL
           || (met != NONE && met != inWay && (inWay != NONE || !isPushable(met)))) {

@@ -271,7 +271,11 @@ public final class RollingHorizonPlanner implements LifelongPlanner {
       for (int f = 0; f < few.size(); f++) {
         RobotProgress robot = few.get(f);
         char[] distances = found.get(f);
+        char[] former = robot.distances();
         taker.take(robot, distances, guidance.announce(robot.state(), distances), planCount);
+        if (former != null) {
+          guidance.recycle(former);
+        }
       }
     }
   }
