@@ -53,9 +53,7 @@ final class ClaimedAreas {
         || known.changes != robot.changes()
         || known.pathNumber != robot.drive.pathNumber()) {
       List<SweptArea> areas = List.copyOf(robot.claimed());
-      known =
-          new Entry(
-              robot.changes(), robot.drive.pathNumber(), areas, SweptArea.union(areas));
+      known = new Entry(robot.changes(), robot.drive.pathNumber(), areas, SweptArea.union(areas));
       byRobot.put(robot, known);
     }
     return known;

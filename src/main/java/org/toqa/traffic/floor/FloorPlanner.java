@@ -32,6 +32,9 @@ import org.toqa.traffic.lifelong.LifelongPlanner;
 final class FloorPlanner {
   static final Duration RETRY_AFTER = Duration.ofSeconds(1);
 
+  /** Of the time for a plan of all robots, what looking for robots' own paths may take. */
+  private static final double SHARE_OF_SINGLE_ROBOTS = 0.25;
+
   /** Of the time for a plan of all robots, what finding out why some have none may take. */
   private static final double SHARE_OF_REASONS = 0.25;
 
@@ -98,16 +101,25 @@ final class FloorPlanner {
    */
   private void planSingleRobots(
       PlanningRequest request, Collection<TrafficRobot> robots, ClaimedAreas claimed) {
-    robots.stream()
-        .filter(robot -> request.dueForOwnPath().contains(robot.name))
-        .sorted(
-            Comparator.<TrafficRobot, Boolean>comparing(
-                    robot -> !robot.name.equals(rightOfWay.holder()))
-                .thenComparing(robot -> !robot.isFormation())
-                .thenComparing(
-                    robot -> robot.waiting.since(), nullsLast(Comparator.<Instant>naturalOrder())))
-        .toList()
-        .forEach(robot -> planSingleRobot(robot, robots, claimed, request.now()));
+    List<TrafficRobot> due =
+        robots.stream()
+            .filter(robot -> request.dueForOwnPath().contains(robot.name))
+            .sorted(
+                Comparator.<TrafficRobot, Boolean>comparing(
+                        robot -> !robot.name.equals(rightOfWay.holder()))
+                    .thenComparing(robot -> !robot.isFormation())
+                    .thenComparing(
+                        robot -> robot.waiting.since(),
+                        nullsLast(Comparator.<Instant>naturalOrder())))
+            .toList();
+    Deadline end = planningDeadline.get().afterShare(SHARE_OF_SINGLE_ROBOTS);
+    for (int i = 0; i < due.size(); i++) {
+      if (i > 0 && end.isPassed()) {
+        due.get(i).waiting.leaveSinglePlan(); // for the next plan
+      } else {
+        planSingleRobot(due.get(i), robots, claimed, request.now());
+      }
+    }
   }
 
   private void planSingleRobot(

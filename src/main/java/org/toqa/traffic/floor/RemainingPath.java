@@ -60,19 +60,56 @@ public record RemainingPath(List<Vec2> points, int released, @Nullable PathDevia
      * @param done so many sections are completed; the robot is on the next one
      */
     static Behind of(ReservedPath path, int done, int released) {
-      List<Vec2> points = new ArrayList<>();
       int releasedPoints = 0;
-      for (int i = done + 1; i < path.sectionCount(); i++) {
-        List<Vec2> line = line(path, i);
-        points.addAll(line.subList(1, line.size()));
-        releasedPoints = i < released ? points.size() : releasedPoints;
+      for (int i = done + 1; i < released; i++) {
+        for (Segment segment : path.sections().get(i).segments()) {
+          releasedPoints += segment.v() == 0 ? 0 : pieces(segment);
+        }
       }
-      return new Behind(path, done, released, List.copyOf(points), releasedPoints);
+      return new Behind(path, done, released, new Line(path, done), releasedPoints);
     }
 
     @SuppressWarnings("ReferenceEquality") // a path is compared at each tick
     boolean isOf(ReservedPath other, int otherDone, int otherReleased) {
       return path == other && done == otherDone && released == otherReleased;
+    }
+  }
+
+  /**
+   * The points of a path behind a section, found by whoever first looks at them: that is a page's
+   * business, and no tick waits for it. Any thread may find them again.
+   */
+  private static final class Line extends AbstractList<Vec2> implements RandomAccess {
+    private final ReservedPath path;
+    private final int section;
+    private volatile @Nullable List<Vec2> found;
+
+    Line(ReservedPath path, int section) {
+      this.path = path;
+      this.section = section;
+    }
+
+    private List<Vec2> points() {
+      List<Vec2> known = found;
+      if (known == null) {
+        known = new ArrayList<>();
+        for (int i = section + 1; i < path.sectionCount(); i++) {
+          List<Vec2> line = line(path, i);
+          known.addAll(line.subList(1, line.size()));
+        }
+        found = known;
+      }
+      return known;
+    }
+
+    @Override
+    public Vec2 get(int index) {
+      return points().get(index);
+    }
+
+    @Override
+    public int size() {
+      return points().size();
     }
   }
 
@@ -83,8 +120,7 @@ public record RemainingPath(List<Vec2> points, int released, @Nullable PathDevia
       points.addAll(line.subList(passed(line, now.position()), line.size()));
     }
     int released = behind.done < behind.released ? points.size() + behind.releasedPoints : 1;
-    return new RemainingPath(
-        new Joined(points, behind.points), released, deviation.orElse(null));
+    return new RemainingPath(new Joined(points, behind.points), released, deviation.orElse(null));
   }
 
   /** One section, from where it begins. */
@@ -93,7 +129,7 @@ public record RemainingPath(List<Vec2> points, int released, @Nullable PathDevia
     List<Vec2> line = new ArrayList<>(List.of(pose.position()));
     for (Segment segment : path.sections().get(section).segments()) {
       if (segment.v() != 0) {
-        int pieces = Math.max(1, (int) Math.ceil(Math.abs(segment.angle()) / MAX_ARC_PIECE));
+        int pieces = pieces(segment);
         for (int k = 1; k <= pieces; k++) {
           line.add(pose.advanced(segment.twist(), segment.t() * k / pieces).position());
         }
@@ -101,6 +137,11 @@ public record RemainingPath(List<Vec2> points, int released, @Nullable PathDevia
       pose = pose.advanced(segment.twist(), segment.t());
     }
     return line;
+  }
+
+  /** In how many straights a segment is drawn that is not a turn on the spot. */
+  private static int pieces(Segment segment) {
+    return Math.max(1, (int) Math.ceil(Math.abs(segment.angle()) / MAX_ARC_PIECE));
   }
 
   /** How many points of a line lie behind a robot on it: those up to the piece nearest to it. */

@@ -31,6 +31,8 @@ final class WaitState {
   /** When its own smooth path was last looked for. */
   private Instant lastSinglePlan = Instant.MIN;
 
+  private boolean isSinglePlanLeft;
+
   /** Where it has stood since then. */
   private Vec2 place = Vec2.ZERO;
 
@@ -57,15 +59,17 @@ final class WaitState {
    *
    * @param noPathReason null: it has one
    * @param found when that was found
+   * @param isSinglePlanLeft whether its own path was due, and there was no time to look for it
    */
   record Findings(
       @Nullable WaitReason noPathReason,
       Instant found,
       @Nullable String goalTakenBy,
-      List<SweptArea> wanted) {}
+      List<SweptArea> wanted,
+      boolean isSinglePlanLeft) {}
 
   Findings findings() {
-    return new Findings(noPathReason, noPathReasonFound, goalTakenBy, wanted);
+    return new Findings(noPathReason, noPathReasonFound, goalTakenBy, wanted, isSinglePlanLeft);
   }
 
   void adopt(Findings findings) {
@@ -73,6 +77,9 @@ final class WaitState {
     noPathReasonFound = findings.found();
     goalTakenBy = findings.goalTakenBy();
     wanted = findings.wanted();
+    if (findings.isSinglePlanLeft()) {
+      lastSinglePlan = Instant.MIN;
+    }
   }
 
   @Nullable Instant since() {
@@ -166,6 +173,11 @@ final class WaitState {
 
   boolean isSinglePlanOlderThan(Duration age, Instant now) {
     return lastSinglePlan.plus(age).isBefore(now);
+  }
+
+  /** While paths are planned: there is no time to look for its own. */
+  void leaveSinglePlan() {
+    isSinglePlanLeft = true;
   }
 
   void recordSinglePlan(Instant now) {

@@ -18,9 +18,10 @@ import org.toqa.traffic.mapf.StateGraph;
  * operation, the rest of the last one if nothing else, so there is a valid plan at any time.
  *
  * <p>Afterwards robots picked by chance, of those that others keep from the best they could do
- * alone, choose again, pushing whomever, where that makes all of them together better off; what a robot loses or gains counts the more, the longer it has been on
- * its vertex. Where robots fill almost all vertices, these chains and rings are what moves them,
- * and more time finds more of them.
+ * alone, choose again, pushing whomever, where that makes all of them together better off; what a
+ * robot loses or gains counts the more, the longer it has been on its vertex. Where robots fill
+ * almost all vertices, these chains and rings are what moves them, and more time finds more of
+ * them.
  *
  * <p>Cost: listing a robot's operations, some hundred, is a tree walk that is cut where it meets a
  * second robot. A robot is asked {@value #MOST_VISITS} times at most for each that begins. Robots
@@ -145,9 +146,7 @@ final class OperationSearch {
     findUnsatisfied();
     long last = effort + EXCHANGE_EFFORT_PER_ROBOT * task.robots();
     long lastInVain = effort + EFFORT_IN_VAIN_PER_ROBOT * unsatisfiedCount;
-    while (unsatisfiedCount > 0
-        && effort < Math.min(last, lastInVain)
-        && !deadline.isPassed()) {
+    while (unsatisfiedCount > 0 && effort < Math.min(last, lastInVain) && !deadline.isPassed()) {
       round++;
       effort++;
       if (begin(unsatisfied[random.nextInt(unsatisfiedCount)])) {
@@ -361,8 +360,7 @@ final class OperationSearch {
 
   /** By how much another operation could be better, at most. */
   private int mostGain(int robot) {
-    return task.weights()[robot]
-        * Math.max(0, cost(robot) - leastCosts[robot]);
+    return task.weights()[robot] * Math.max(0, cost(robot) - leastCosts[robot]);
   }
 
   /** Lists the operations of a robot that conflict with one other at most. */
