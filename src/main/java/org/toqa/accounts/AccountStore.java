@@ -22,7 +22,9 @@ public interface AccountStore {
     /** Refused: nobody would be left to manage the others. */
     LAST_MANAGER,
     /** Refused: nobody would be left to make sites. */
-    LAST_ADMINISTRATOR
+    LAST_ADMINISTRATOR,
+    /** Refused: open tasks are his, and their loads are not on their way to where they end. */
+    OPEN_TASKS
   }
 
   /** Whether there is a manager who can sign in. */
@@ -72,8 +74,8 @@ public interface AccountStore {
   }
 
   /**
-   * Changes what the user may do; it holds from his next request on. A name stays: tasks and
-   * history go by it.
+   * Changes what the user may do; it holds from his next request on, and of who is disabled nothing
+   * is stored any more that was under way. A name stays: tasks and history go by it.
    *
    * @param seen the account as it was read: another role, address or right to sign in than that is
    *     not overwritten; null: whatever it is
@@ -87,12 +89,15 @@ public interface AccountStore {
   }
 
   /**
-   * Removes the account, unless the last manager would be gone. His tasks are nobody's then.
+   * Removes the account, unless the last manager would be gone or robots would go on carrying what
+   * is nobody's. From then on nothing new is stored as his; what of his tasks ends by itself, and
+   * his past ones, are nobody's.
    *
    * @param id the account's
    * @param handover who gets his schedules and tokens
    * @param by who does it
-   * @return {@code LAST_MANAGER} and {@code LAST_ADMINISTRATOR} are refusals: nothing changes then
+   * @return {@code LAST_MANAGER}, {@code LAST_ADMINISTRATOR} and {@code OPEN_TASKS} are refusals:
+   *     nothing changes then
    */
   ChangeResult delete(long id, Handover handover, String by);
 

@@ -14,6 +14,7 @@ import org.toqa.link.gateway.GatewayState;
 import org.toqa.mission.MissionEvent;
 import org.toqa.mission.OrderPart;
 import org.toqa.mission.TransportTask;
+import org.toqa.persistence.StoreException;
 import org.toqa.wording.Sentence;
 
 /**
@@ -36,15 +37,22 @@ public interface Fleet {
     return submit(order, user, UUID.randomUUID());
   }
 
+  /** The same for who need not be a user. */
+  default CompletionStage<Answer<TaskView>> submit(TaskOrder order, String user, UUID key) {
+    return submit(order, Orderer.named(user), key);
+  }
+
   /**
+   * @param by a user who may not log in when it is stored, or is none any more, gets a {@link
+   *     StoreException} of the kind {@code UNKNOWN_USER}
    * @param key by which the task is found again ({@link TaskArchive#taskByKey}); no task has it yet
    */
-  CompletionStage<Answer<TaskView>> submit(TaskOrder order, String user, UUID key);
+  CompletionStage<Answer<TaskView>> submit(TaskOrder order, Orderer by, UUID key);
 
   /** All these tasks, or none; each is ordered by itself. */
   default CompletionStage<BatchAnswer> submitAll(
       List<TaskOrder> orders, String user, List<UUID> keys) {
-    return submitAll(orders, List.of(), user, keys);
+    return submitAll(orders, List.of(), Orderer.named(user), keys);
   }
 
   /**
@@ -52,10 +60,11 @@ public interface Fleet {
    *
    * @param parts which part of an order each is, those of a new order from its first to its last,
    *     null where it is ordered by itself; empty: each is
+   * @param by as of {@link #submit(TaskOrder, Orderer, UUID)}
    * @param keys one for each task; no task has one of them yet
    */
   CompletionStage<BatchAnswer> submitAll(
-      List<TaskOrder> orders, List<@Nullable OrderPart> parts, String user, List<UUID> keys);
+      List<TaskOrder> orders, List<@Nullable OrderPart> parts, Orderer by, List<UUID> keys);
 
   /**
    * Whether tasks with this key are being stored, or withdrawn again after their submission failed:

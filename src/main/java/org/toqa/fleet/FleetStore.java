@@ -9,6 +9,7 @@ import java.util.UUID;
 import org.jspecify.annotations.Nullable;
 import org.toqa.geometry.Pose;
 import org.toqa.mission.Mission;
+import org.toqa.mission.OrderPart;
 import org.toqa.mission.Phase;
 import org.toqa.mission.TransportTask;
 import org.toqa.motion.PassingRoom;
@@ -62,6 +63,9 @@ public interface FleetStore {
   Optional<StoredDrive> drive(String robot);
 
   /**
+   * Throws a {@link StoreException} of the kind {@code UNKNOWN_USER} where one of them is of a user
+   * who may not log in, or is none any more.
+   *
    * @param submissions those that are parts of a new order follow each other, its first part first
    * @return the tasks with their ids and those of their orders, in the same order
    */
@@ -192,10 +196,30 @@ public interface FleetStore {
   void addEvents(List<EventRecord> events);
 
   /**
-   * @param task its id is not known yet
+   * @param task its id is not known yet; its owner is the user who ordered it, or else whoever has
+   *     his name
    * @param idempotencyKey names this submission, so that it can be withdrawn
    */
-  record Submission(TransportTask task, UUID idempotencyKey) {}
+  record Submission(TransportTask task, UUID idempotencyKey) {
+    public static Submission of(TransportTask task, Orderer by, UUID key) {
+      return new Submission(task.withOwner(by.name(), by.account()), key);
+    }
+
+    /**
+     * One of several that are ordered together.
+     *
+     * @param parts of all of them; empty: each is ordered by itself
+     * @param keys of all of them
+     */
+    public static Submission of(
+        TransportTask task,
+        List<@Nullable OrderPart> parts,
+        int index,
+        Orderer by,
+        List<UUID> keys) {
+      return of(parts.isEmpty() ? task : task.withPart(parts.get(index)), by, keys.get(index));
+    }
+  }
 
   /**
    * When a task is expected to be delivered.

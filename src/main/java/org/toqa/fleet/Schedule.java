@@ -54,9 +54,10 @@ public record Schedule(
 
   /** One that is not stored yet. */
   public static Schedule of(
-      TaskOrder order, Recurrence recurrence, @Nullable Instant until, String user, Instant now) {
+      TaskOrder order, Recurrence recurrence, @Nullable Instant until, Orderer by, Instant now) {
     Schedule fresh =
-        new Schedule(0, order, recurrence, until, false, user, null, false, now, null, null);
+        new Schedule(
+            0, order, recurrence, until, false, by.name(), by.account(), false, now, null, null);
     return fresh.withDue(fresh.nextDueAfter(now).orElse(null));
   }
 

@@ -17,6 +17,7 @@ public interface Schedules {
    *
    * @param until the last moment at which it can be due; null: it has no end
    * @param template what the order was made from; null: from no template
+   * @param by as of {@link Fleet#submit(TaskOrder, Orderer, UUID)}
    * @param key the same one for the same order, of which one schedule is made
    */
   CompletionStage<KeyedAnswer<Schedule>> add(
@@ -24,13 +25,13 @@ public interface Schedules {
       Recurrence recurrence,
       @Nullable Instant until,
       @Nullable TemplateUse template,
-      String user,
+      Orderer by,
       UUID key);
 
   /** Adds one whose order was made from no template. */
   default CompletionStage<KeyedAnswer<Schedule>> add(
       TaskOrder order, Recurrence recurrence, @Nullable Instant until, String user, UUID key) {
-    return add(order, recurrence, until, null, user, key);
+    return add(order, recurrence, until, null, Orderer.named(user), key);
   }
 
   /** Lets it be due no more until it is resumed. One that is paused stays so. */

@@ -17,6 +17,8 @@ public final class StoreException extends RuntimeException {
     OVERTAKEN,
     /** The store takes everything but this, now and later, such as a text that is too long. */
     REFUSED,
+    /** Who asks for it may not log in any more, or is no user any more. */
+    UNKNOWN_USER,
     /** It took longer than anybody may ask for; the same takes as long again. */
     TOO_SLOW
   }
@@ -46,6 +48,6 @@ public final class StoreException extends RuntimeException {
 
   /** Whether the same can never be stored. */
   public boolean isRefusal() {
-    return kind == Kind.REFUSED;
+    return kind == Kind.REFUSED || kind == Kind.UNKNOWN_USER;
   }
 }

@@ -4,7 +4,9 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import org.jdbi.v3.core.Handle;
+import org.jspecify.annotations.Nullable;
 import org.toqa.accounts.Account;
+import org.toqa.persistence.StoreException;
 
 /** The table of users, within a transaction of somebody else. */
 final class AccountTable {
@@ -45,6 +47,29 @@ final class AccountTable {
         .bind("key", name.toLowerCase(Locale.ROOT))
         .mapTo(Long.class)
         .findOne();
+  }
+
+  /**
+   * Whose the new thing is, which is stored in the same transaction: until its end nobody disables
+   * or deletes him, so who deletes him finds all that is his ({@link JdbiAccountStore#delete}).
+   *
+   * @param account his id; null: whoever has the name now
+   * @return null: nobody has the name
+   * @throws StoreException the account may not log in, or is there no more
+   */
+  static @Nullable Long ownerOfNew(Handle handle, String name, @Nullable Long account) {
+    if (account == null) {
+      return idOf(handle, name).orElse(null);
+    }
+    return handle
+        .createQuery("select id from users where id = :id and not disabled for update")
+        .bind("id", account)
+        .mapTo(Long.class)
+        .findOne()
+        .orElseThrow(
+            () ->
+                new StoreException(
+                    StoreException.Kind.UNKNOWN_USER, name + " may not log in any more.", null));
   }
 
   /** Ends what the old password, or a link to replace it, opened. */

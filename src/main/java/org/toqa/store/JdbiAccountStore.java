@@ -130,6 +130,10 @@ public final class JdbiAccountStore implements AccountStore {
   public synchronized ChangeResult delete(long id, Handover handover, String by) {
     return sql.inTransaction(
         handle -> {
+          handle
+              .select("select id from users where id = ? for update", id)
+              .mapTo(Long.class)
+              .list();
           Optional<Account> account = find(handle, id);
           if (account.isEmpty()) {
             return ChangeResult.NO_SUCH_ACCOUNT;
@@ -137,6 +141,9 @@ public final class JdbiAccountStore implements AccountStore {
           Optional<ChangeResult> refusal = refusalToLose(handle, account.get(), null);
           if (refusal.isPresent()) {
             return refusal.get();
+          }
+          if (TaskTable.isAnyLeftTo(handle, id)) {
+            return ChangeResult.OPEN_TASKS;
           }
           LeftBehind left = new LeftBehind(handle, account.get(), clock.instant(), by);
           left.handOverSchedules(handover.schedules());

@@ -5,6 +5,7 @@ import java.util.Comparator;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.Set;
 import java.util.TreeSet;
@@ -18,6 +19,7 @@ import org.toqa.fleet.ChargeRecord;
 import org.toqa.fleet.EventRecord;
 import org.toqa.fleet.FleetStore;
 import org.toqa.fleet.Hold;
+import org.toqa.fleet.Orderer;
 import org.toqa.fleet.RobotMove;
 import org.toqa.fleet.RobotRecord;
 import org.toqa.fleet.StoredRobot;
@@ -259,22 +261,37 @@ public final class JdbiFleetStore implements FleetStore, TaskArchive {
   public List<TransportTask> addTasks(List<Submission> submissions) {
     return sql.inTransaction(
         h -> {
-          Map<String, Optional<Long>> owners = new HashMap<>();
+          Map<Orderer, Optional<Long>> owners = owners(h, submissions);
           List<TransportTask> stored =
               OrderTable.addNew(h, submissions).stream()
                   .map(
                       s ->
                           TaskTable.add(
-                              h,
-                              s,
-                              owners
-                                  .computeIfAbsent(
-                                      s.task().user(), name -> AccountTable.idOf(h, name))
-                                  .orElse(null)))
+                              h, s, Objects.requireNonNull(owners.get(orderer(s))).orElse(null)))
                   .toList();
           EventTable.addAll(h, stored.stream().map(EventRecord::added).toList());
           return stored;
         });
+  }
+
+  /** Everybody locks them in the order of their ids. */
+  private static Map<Orderer, Optional<Long>> owners(Handle h, List<Submission> submissions) {
+    Map<Orderer, Optional<Long>> owners = new HashMap<>();
+    submissions.stream()
+        .map(JdbiFleetStore::orderer)
+        .distinct()
+        .sorted(
+            Comparator.comparing(
+                Orderer::account, Comparator.nullsFirst(Comparator.naturalOrder())))
+        .forEach(
+            by ->
+                owners.put(
+                    by, Optional.ofNullable(AccountTable.ownerOfNew(h, by.name(), by.account()))));
+    return owners;
+  }
+
+  private static Orderer orderer(Submission submission) {
+    return new Orderer(submission.task().user(), submission.task().owner());
   }
 
   @Override

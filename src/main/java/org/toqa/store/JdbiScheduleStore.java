@@ -133,7 +133,7 @@ public final class JdbiScheduleStore implements ScheduleStore {
                 """)
             .bind("submission", key)
             .bind("user", schedule.user())
-            .bind("owner", AccountTable.idOf(h, schedule.user()).orElse(null))
+            .bind("owner", AccountTable.ownerOfNew(h, schedule.user(), schedule.owner()))
             .bind("until", schedule.until())
             .bind("paused", schedule.paused())
             .bind("at", schedule.createdAt())

@@ -79,7 +79,7 @@ public final class JdbiTaskTemplateStore implements TaskTemplateStore {
                             """),
                         template)
                     .bind("user", template.user())
-                    .bind("owner", AccountTable.idOf(h, template.user()).orElse(null))
+                    .bind("owner", AccountTable.ownerOfNew(h, template.user(), template.owner()))
                     .executeAndReturnGeneratedKeys("id")
                     .mapTo(Long.class)
                     .one();

@@ -179,6 +179,19 @@ final class TaskTable {
         .execute();
   }
 
+  /** Whether a user has tasks that are neither delivered nor cancelled. */
+  static boolean isAnyLeftTo(Handle h, long owner) {
+    return h.createQuery(
+                """
+                select count(*) from tasks where user_id = :owner
+                  and state in ('QUEUED', 'ASSIGNED', 'TO_OBJECT', 'CARRYING') and ending is null
+                """)
+            .bind("owner", owner)
+            .mapTo(Integer.class)
+            .one()
+        > 0;
+  }
+
   static List<Long> robotsOf(Handle h, long task) {
     return h.createQuery("select robot_id from task_robots where task_id = :task")
         .bind("task", task)

@@ -46,7 +46,11 @@ public final class ErrorResponse {
 
   /** The status of what the store would not do. */
   public static int status(StoreException failure) {
-    return failure.isRefusal() ? UNPROCESSABLE : HttpServletResponse.SC_SERVICE_UNAVAILABLE;
+    return switch (failure.kind()) {
+      case UNKNOWN_USER -> HttpServletResponse.SC_UNAUTHORIZED;
+      case REFUSED -> UNPROCESSABLE;
+      case UNAVAILABLE, OVERTAKEN, TOO_SLOW -> HttpServletResponse.SC_SERVICE_UNAVAILABLE;
+    };
   }
 
   /** What people are told of it. */
@@ -56,6 +60,7 @@ public final class ErrorResponse {
       case UNAVAILABLE -> texts.get("problem.databaseUnavailable");
       case OVERTAKEN -> texts.get("problem.overtaken");
       case REFUSED -> texts.get("problem.cannotBeStored", String.valueOf(failure.getMessage()));
+      case UNKNOWN_USER -> texts.get("problem.login");
       case TOO_SLOW -> texts.get("problem.databaseTooSlow");
     };
   }

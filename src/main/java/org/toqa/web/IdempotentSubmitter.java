@@ -17,6 +17,7 @@ import org.toqa.fleet.BatchAnswer;
 import org.toqa.fleet.Fleet;
 import org.toqa.fleet.KeyedAnswer;
 import org.toqa.fleet.OrderArchive;
+import org.toqa.fleet.Orderer;
 import org.toqa.fleet.PartsOrder;
 import org.toqa.fleet.PartsToRetry;
 import org.toqa.fleet.TaskArchive;
@@ -51,6 +52,11 @@ public final class IdempotentSubmitter {
     return UUID.nameUUIDFromBytes((user.id() + " " + given).getBytes(StandardCharsets.UTF_8));
   }
 
+  /** As whom a user of the web application orders. */
+  public static Orderer orderer(Account user) {
+    return new Orderer(user.name(), user.id());
+  }
+
   public KeyedAnswer<TaskView> submit(TaskOrder order, Account user, UUID key) {
     Lock lock = lockOf(key);
     lock.lock();
@@ -59,7 +65,7 @@ public final class IdempotentSubmitter {
       Optional<TaskView> before = archive.taskByKey(key);
       if (before.isEmpty()) {
         return new KeyedAnswer.Answered<>(
-            FleetAnswers.await(fleet.submit(order, user.name(), key)));
+            FleetAnswers.await(fleet.submit(order, orderer(user), key)));
       }
       return order.isOrderOf(before.get().task())
           ? new KeyedAnswer.Repeated<>(before.get())
@@ -148,7 +154,7 @@ public final class IdempotentSubmitter {
       if (archive.taskByKey(keys.getFirst()).isEmpty()) {
         return new BatchOutcome.Answered(
             FleetAnswers.await(
-                fleet.submitAll(orders, parts, user.name(), keys.subList(0, orders.size()))));
+                fleet.submitAll(orders, parts, orderer(user), keys.subList(0, orders.size()))));
       }
       List<TaskView> before = keys.stream().flatMap(k -> archive.taskByKey(k).stream()).toList();
       return isSame.test(before.stream().map(TaskView::task).toList())
@@ -179,7 +185,7 @@ public final class IdempotentSubmitter {
                       fleet.submitAll(
                           again.orders(),
                           again.parts(),
-                          user.name(),
+                          orderer(user),
                           again.orders().stream().map(_ -> UUID.randomUUID()).toList())));
     } finally {
       lock.unlock();

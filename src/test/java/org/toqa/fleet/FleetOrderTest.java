@@ -105,7 +105,8 @@ class FleetOrderTest extends HallFleetTest {
         BatchAnswer.Accepted.class,
         stage
             .fleet
-            .submitAll(again.orders(), again.parts(), "Clara", List.of(UUID.randomUUID()))
+            .submitAll(
+                again.orders(), again.parts(), Orderer.named("Clara"), List.of(UUID.randomUUID()))
             .toCompletableFuture()
             .get(10, TimeUnit.SECONDS));
 
@@ -154,7 +155,7 @@ class FleetOrderTest extends HallFleetTest {
             .submitAll(
                 order.tasks(),
                 order.parts(),
-                "Clara",
+                Orderer.named("Clara"),
                 order.tasks().stream().map(_ -> UUID.randomUUID()).toList())
             .toCompletableFuture()
             .get(10, TimeUnit.SECONDS);

@@ -113,7 +113,8 @@ class TaskBatchTest {
     ExecutionException refused =
         assertThrows(
             ExecutionException.class,
-            () -> await(stage.fleet.submitAll(orders, pieces.parts(), "Clara", keys)));
+            () ->
+                await(stage.fleet.submitAll(orders, pieces.parts(), Orderer.named("Clara"), keys)));
 
     assertInstanceOf(StoreException.class, refused.getCause());
     dies.set(false);

@@ -8,7 +8,10 @@ import java.time.Duration;
 import java.util.List;
 import java.util.Optional;
 import java.util.UUID;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
+import org.toqa.accounts.AccountStore;
+import org.toqa.accounts.Role;
 import org.toqa.fleet.EventRecord;
 import org.toqa.fleet.FleetStore;
 import org.toqa.fleet.FleetStore.MissionChange;
@@ -187,6 +190,35 @@ class FleetStoreTest extends FleetDatabaseTest {
             null);
     store.saveMission(other, AT, List.of());
     assertEquals(other, store.openTasks().getFirst().mission());
+  }
+
+  @Test
+  void ofWhoIsDisabledOrDeletedNothingIsStoredAndOfOthersWithHimNothing() {
+    JdbiAccountStore accounts = new JdbiAccountStore(database.jdbi(), () -> AT);
+    long ann = accounts.add("Ann", "hash", Role.CLERK, "Max").orElseThrow().id();
+    long bob = accounts.add("Bob", "hash", Role.CLERK, "Max").orElseThrow().id();
+    assertEquals(ann, added(task("hers").withOwner("Ann", ann)).owner());
+
+    accounts.update(ann, Role.CLERK, true, "Max");
+    assertUnknownUser(task("late").withOwner("Ann", ann), task("his").withOwner("Bob", bob));
+    assertEquals(AccountStore.ChangeResult.OPEN_TASKS, accounts.delete(ann, "Max"));
+    Mission hers = store.openTasks().getFirst().mission();
+    store.saveMission(
+        hers.apply(new MissionEvent.HandOver("Max", "Bob", bob)).mission(), AT, List.of());
+    assertEquals(AccountStore.ChangeResult.DONE, accounts.delete(ann, "Max"));
+
+    assertEquals("Ann", accounts.add("Ann", "hash", Role.CLERK, "Max").orElseThrow().name());
+    assertUnknownUser(task("later").withOwner("Ann", ann));
+    assertEquals(bob, added(task("his").withOwner("Bob", bob)).owner());
+    assertEquals(2, store.openTasks().size());
+  }
+
+  private void assertUnknownUser(TransportTask... tasks) {
+    List<Submission> together =
+        Stream.of(tasks).map(task -> new Submission(task, UUID.randomUUID())).toList();
+    assertEquals(
+        StoreException.Kind.UNKNOWN_USER,
+        assertThrows(StoreException.class, () -> store.addTasks(together)).kind());
   }
 
   @Test

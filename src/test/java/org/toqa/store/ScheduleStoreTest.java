@@ -14,6 +14,7 @@ import java.util.UUID;
 import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
+import org.toqa.fleet.Orderer;
 import org.toqa.fleet.Recurrence;
 import org.toqa.fleet.Schedule;
 import org.toqa.fleet.TaskOrder;
@@ -110,7 +111,7 @@ class ScheduleStoreTest extends DatabaseTest {
 
   private static Schedule schedule(
       TaskOrder order, Recurrence recurrence, @Nullable Instant until) {
-    return Schedule.of(order, recurrence, until, "Ann", AT);
+    return Schedule.of(order, recurrence, until, Orderer.named("Ann"), AT);
   }
 
   private static Schedule stored(Schedule s, long id) {

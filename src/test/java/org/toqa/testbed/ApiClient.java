@@ -39,6 +39,11 @@ public final class ApiClient implements AutoCloseable {
             .asString();
   }
 
+  /** The same server as another user. */
+  public ApiClient as(String name, String password) throws IOException, InterruptedException {
+    return new ApiClient(root, name, password);
+  }
+
   public String token() {
     return token;
   }
@@ -72,6 +77,10 @@ public final class ApiClient implements AutoCloseable {
     }
   }
 
+  public Reply replyTo(String path) throws IOException, InterruptedException {
+    return Reply.of(answer(request(path)));
+  }
+
   public Reply replyTo(String path, Object body) throws IOException, InterruptedException {
     return Reply.of(answer(request(path).POST(body(body))));
   }
@@ -82,6 +91,13 @@ public final class ApiClient implements AutoCloseable {
 
   public Reply delete(String path) throws IOException, InterruptedException {
     return Reply.of(answer(request(path).DELETE()));
+  }
+
+  /** The answer comes later, or fails with the connection. */
+  public CompletableFuture<Reply> deleteLater(String path) {
+    return http.sendAsync(
+            request(path).DELETE().timeout(LIMIT).build(), HttpResponse.BodyHandlers.ofString())
+        .thenApply(Reply::of);
   }
 
   /** The answer comes later, or fails with the connection. */

@@ -15,6 +15,7 @@ import org.toqa.fleet.BatchAnswer;
 import org.toqa.fleet.CheckRefusedException;
 import org.toqa.fleet.EventRecord;
 import org.toqa.fleet.Fleet;
+import org.toqa.fleet.Orderer;
 import org.toqa.fleet.PathAnswer;
 import org.toqa.fleet.PathQuestion;
 import org.toqa.fleet.TaskOrder;
@@ -123,7 +124,8 @@ public abstract class TasksInMemory extends ArchiveInMemory implements Fleet {
   }
 
   @Override
-  public CompletionStage<Answer<TaskView>> submit(TaskOrder order, String user, UUID key) {
+  public CompletionStage<Answer<TaskView>> submit(TaskOrder order, Orderer by, UUID key) {
+    String user = by.name();
     if (refused != null) {
       return CompletableFuture.failedFuture(new CheckRefusedException(refused));
     }
@@ -163,7 +165,8 @@ public abstract class TasksInMemory extends ArchiveInMemory implements Fleet {
 
   @Override
   public CompletionStage<BatchAnswer> submitAll(
-      List<TaskOrder> orders, List<@Nullable OrderPart> parts, String user, List<UUID> keys) {
+      List<TaskOrder> orders, List<@Nullable OrderPart> parts, Orderer by, List<UUID> keys) {
+    String user = by.name();
     if (refused != null) {
       return CompletableFuture.failedFuture(new CheckRefusedException(refused));
     }
@@ -179,7 +182,7 @@ public abstract class TasksInMemory extends ArchiveInMemory implements Fleet {
       List<TaskView> added = new ArrayList<>();
       long newOrder = nextId;
       for (int i = 0; i < orders.size(); i++) {
-        submit(orders.get(i), user, keys.get(i));
+        submit(orders.get(i), by, keys.get(i));
         OrderPart part = parts.isEmpty() ? null : parts.get(i);
         if (part != null && part.position() == 1) {
           newOrder = nextId;

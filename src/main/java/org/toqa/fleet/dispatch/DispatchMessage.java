@@ -19,6 +19,7 @@ import org.toqa.fleet.Hold;
 import org.toqa.fleet.ManualAnswer;
 import org.toqa.fleet.ManualOrder;
 import org.toqa.fleet.OperatorHold;
+import org.toqa.fleet.Orderer;
 import org.toqa.fleet.PairingOrder;
 import org.toqa.fleet.PathAnswer;
 import org.toqa.fleet.PathQuestion;
@@ -48,7 +49,7 @@ public sealed interface DispatchMessage {
    */
   record SubmitTask(
       TaskOrder order,
-      String user,
+      Orderer by,
       UUID idempotencyKey,
       long deadline,
       OrderChecks.Check check,
@@ -62,7 +63,7 @@ public sealed interface DispatchMessage {
   record SubmitTasks(
       List<TaskOrder> orders,
       List<@Nullable OrderPart> parts,
-      String user,
+      Orderer by,
       List<UUID> idempotencyKeys,
       long deadline,
       OrderChecks.Check check,

@@ -24,6 +24,7 @@ import org.toqa.fleet.FloorView.BoxView;
 import org.toqa.fleet.Hold;
 import org.toqa.fleet.ManualAnswer;
 import org.toqa.fleet.ManualOrder;
+import org.toqa.fleet.Orderer;
 import org.toqa.fleet.PairingOrder;
 import org.toqa.fleet.PathAnswer;
 import org.toqa.fleet.PathQuestion;
@@ -191,21 +192,21 @@ public final class FloorFleet implements AutoCloseable {
         user, (check, replyTo) -> new DispatchMessage.CheckOrders(orders, user, check, replyTo));
   }
 
-  public CompletionStage<Answer<TaskView>> submit(TaskOrder order, String user, UUID key) {
+  public CompletionStage<Answer<TaskView>> submit(TaskOrder order, Orderer by, UUID key) {
     long deadline = TaskSubmitter.deadline(shared.runtime().nanoTime());
     return dispatch.askChecked(
-        user,
+        by.name(),
         (check, replyTo) ->
-            new DispatchMessage.SubmitTask(order, user, key, deadline, check, replyTo));
+            new DispatchMessage.SubmitTask(order, by, key, deadline, check, replyTo));
   }
 
   public CompletionStage<BatchAnswer> submitAll(
-      List<TaskOrder> orders, List<@Nullable OrderPart> parts, String user, List<UUID> keys) {
+      List<TaskOrder> orders, List<@Nullable OrderPart> parts, Orderer by, List<UUID> keys) {
     long deadline = TaskSubmitter.deadline(shared.runtime().nanoTime());
     return dispatch.askChecked(
-        user,
+        by.name(),
         (check, replyTo) ->
-            new DispatchMessage.SubmitTasks(orders, parts, user, keys, deadline, check, replyTo));
+            new DispatchMessage.SubmitTasks(orders, parts, by, keys, deadline, check, replyTo));
   }
 
   public CompletionStage<List<BatchAnswer.Rejection>> rejections(

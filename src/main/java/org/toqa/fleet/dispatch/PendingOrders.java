@@ -29,7 +29,7 @@ final class PendingOrders {
 
   Pending add(DispatchMessage.SubmitTask request) {
     Pending pending = new Pending(request);
-    byUser.computeIfAbsent(request.user(), _ -> new ArrayDeque<>()).addLast(pending);
+    byUser.computeIfAbsent(request.by().name(), _ -> new ArrayDeque<>()).addLast(pending);
     return pending;
   }
 

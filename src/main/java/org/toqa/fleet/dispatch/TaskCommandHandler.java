@@ -11,7 +11,6 @@ import java.util.concurrent.CompletionStage;
 import java.util.stream.IntStream;
 import org.apache.pekko.actor.typed.ActorRef;
 import org.apache.pekko.pattern.StatusReply;
-import org.jspecify.annotations.Nullable;
 import org.toqa.allocation.AllocationProblem;
 import org.toqa.fleet.Answer;
 import org.toqa.fleet.BatchAnswer;
@@ -23,7 +22,6 @@ import org.toqa.fleet.floor.FloorMessage;
 import org.toqa.mission.Mission;
 import org.toqa.mission.MissionEvent;
 import org.toqa.mission.Objection;
-import org.toqa.mission.OrderPart;
 import org.toqa.mission.StopProgress;
 import org.toqa.mission.TransportTask;
 import org.toqa.persistence.StoreException;
@@ -78,7 +76,7 @@ final class TaskCommandHandler {
   void submitTask(DispatchMessage.SubmitTask m) {
     CompletionStage<Answer<TransportTask>> check;
     try {
-      check = checkOrder(m.order(), m.user(), m.check());
+      check = checkOrder(m.order(), m.by().name(), m.check());
     } catch (RuntimeException e) { // it holds up no later order
       m.replyTo().tell(StatusReply.error(e));
       throw e;
@@ -100,7 +98,7 @@ final class TaskCommandHandler {
   /** Adopts all orders of its user that are checked and before which none waits for its check. */
   void orderChecked(DispatchMessage.OrderChecked m) {
     pendingOrders.setResult(m);
-    String user = m.order().request().user();
+    String user = m.order().request().by().name();
     for (DispatchMessage.OrderChecked next = pendingOrders.pollChecked(user);
         next != null;
         next = pendingOrders.pollChecked(user)) {
@@ -132,7 +130,7 @@ final class TaskCommandHandler {
 
   private void check(DispatchMessage.SubmitTasks m) {
     var _ =
-        checkConcurrently(m.orders(), m.user(), m.check())
+        checkConcurrently(m.orders(), m.by().name(), m.check())
             .whenComplete(
                 (checked, failure) -> {
                   m.check().close();
@@ -183,13 +181,11 @@ final class TaskCommandHandler {
 
   private static List<Submission> submissions(
       List<TransportTask> tasks, DispatchMessage.SubmitTasks request) {
-    List<@Nullable OrderPart> parts = request.parts();
     return IntStream.range(0, tasks.size())
         .mapToObj(
             i ->
-                new Submission(
-                    parts.isEmpty() ? tasks.get(i) : tasks.get(i).withPart(parts.get(i)),
-                    request.idempotencyKeys().get(i)))
+                Submission.of(
+                    tasks.get(i), request.parts(), i, request.by(), request.idempotencyKeys()))
         .toList();
   }
 
@@ -256,7 +252,7 @@ final class TaskCommandHandler {
       return;
     }
     submitter.submit(
-        List.of(new Submission(task, request.idempotencyKey())),
+        List.of(Submission.of(task, request.by(), request.idempotencyKey())),
         request.deadline(),
         stored -> self.tell(new DispatchMessage.TaskStored(stored.getFirst(), replyTo)),
         failure -> reject(replyTo, failure));

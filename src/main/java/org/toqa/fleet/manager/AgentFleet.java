@@ -35,6 +35,7 @@ import org.toqa.fleet.FloorView.BoxView;
 import org.toqa.fleet.Hold;
 import org.toqa.fleet.ManualAnswer;
 import org.toqa.fleet.ManualOrder;
+import org.toqa.fleet.Orderer;
 import org.toqa.fleet.PairingOrder;
 import org.toqa.fleet.PathAnswer;
 import org.toqa.fleet.PathQuestion;
@@ -280,16 +281,16 @@ public final class AgentFleet implements Fleet, AutoCloseable {
   }
 
   @Override
-  public CompletionStage<Answer<TaskView>> submit(TaskOrder order, String user, UUID key) {
+  public CompletionStage<Answer<TaskView>> submit(TaskOrder order, Orderer by, UUID key) {
     return router.askResolved(
-        order.floor(), order.start(), order.goal(), floor -> floor.submit(order, user, key));
+        order.floor(), order.start(), order.goal(), floor -> floor.submit(order, by, key));
   }
 
   @Override
   public CompletionStage<BatchAnswer> submitAll(
-      List<TaskOrder> orders, List<@Nullable OrderPart> parts, String user, List<UUID> keys) {
+      List<TaskOrder> orders, List<@Nullable OrderPart> parts, Orderer by, List<UUID> keys) {
     return batches.submit(
-        orders, parts, user, keys, TaskSubmitter.deadline(shared.runtime().nanoTime()));
+        orders, parts, by, keys, TaskSubmitter.deadline(shared.runtime().nanoTime()));
   }
 
   @Override

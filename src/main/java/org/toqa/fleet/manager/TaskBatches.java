@@ -17,6 +17,7 @@ import org.jspecify.annotations.Nullable;
 import org.toqa.fleet.BatchAnswer;
 import org.toqa.fleet.BatchAnswer.Rejection;
 import org.toqa.fleet.FleetStore.Submission;
+import org.toqa.fleet.Orderer;
 import org.toqa.fleet.TaskOrder;
 import org.toqa.fleet.TaskView;
 import org.toqa.fleet.dispatch.BatchValidation;
@@ -100,7 +101,7 @@ final class TaskBatches {
   CompletionStage<BatchAnswer> submit(
       List<TaskOrder> orders,
       List<@Nullable OrderPart> orderParts,
-      String user,
+      Orderer by,
       List<UUID> keys,
       long deadline) {
     Optional<List<Part>> parts = parts(orders);
@@ -112,16 +113,17 @@ final class TaskBatches {
           .get()
           .getFirst()
           .floor()
-          .ask(floor -> floor.submitAll(orders, orderParts, user, keys));
+          .ask(floor -> floor.submitAll(orders, orderParts, by, keys));
     }
-    return all(parts.get(), (floor, part) -> floor.check(part.of(orders), user))
-        .thenCompose(checked -> store(parts.get(), checked, orderParts, keys, deadline));
+    return all(parts.get(), (floor, part) -> floor.check(part.of(orders), by.name()))
+        .thenCompose(checked -> store(parts.get(), checked, orderParts, by, keys, deadline));
   }
 
   private CompletionStage<BatchAnswer> store(
       List<Part> parts,
       List<BatchValidation.Result> checked,
       List<@Nullable OrderPart> orderParts,
+      Orderer by,
       List<UUID> keys,
       long deadline) {
     List<Rejection> rejections =
@@ -138,12 +140,7 @@ final class TaskBatches {
     }
     List<Submission> submissions =
         IntStream.range(0, tasks.length)
-            .mapToObj(
-                i -> {
-                  TransportTask task = Objects.requireNonNull(tasks[i]);
-                  return new Submission(
-                      orderParts.isEmpty() ? task : task.withPart(orderParts.get(i)), keys.get(i));
-                })
+            .mapToObj(i -> Submission.of(Objects.requireNonNull(tasks[i]), orderParts, i, by, keys))
             .toList();
     CompletableFuture<List<TransportTask>> stored = new CompletableFuture<>();
     submitter.submit(submissions, deadline, stored::complete, stored::completeExceptionally);

@@ -19,6 +19,7 @@ import org.toqa.fleet.Answer;
 import org.toqa.fleet.EventKind;
 import org.toqa.fleet.EventRecord;
 import org.toqa.fleet.Fleet;
+import org.toqa.fleet.Orderer;
 import org.toqa.fleet.Schedule;
 import org.toqa.fleet.ScheduleStore;
 import org.toqa.fleet.TaskArchive;
@@ -125,7 +126,7 @@ public final class Scheduler {
   private void begin(Schedule schedule, UUID key, Instant now) {
     try {
       switch (fleet
-          .submit(schedule.order(), schedule.user(), key)
+          .submit(schedule.order(), new Orderer(schedule.user(), schedule.owner()), key)
           .toCompletableFuture()
           .get(LIMIT.toMillis(), TimeUnit.MILLISECONDS)) {
         case Answer.Accepted<TaskView>(TaskView task) -> began(schedule, task.id(), now);

@@ -20,6 +20,7 @@ import org.toqa.fleet.EventKind;
 import org.toqa.fleet.EventRecord;
 import org.toqa.fleet.Fleet;
 import org.toqa.fleet.KeyedAnswer;
+import org.toqa.fleet.Orderer;
 import org.toqa.fleet.Recurrence;
 import org.toqa.fleet.Schedule;
 import org.toqa.fleet.ScheduleStore;
@@ -57,12 +58,12 @@ public final class StoredSchedules implements Schedules {
       Recurrence recurrence,
       @Nullable Instant until,
       @Nullable TemplateUse template,
-      String user,
+      Orderer by,
       UUID key) {
     return inBackground(
         () ->
             answerFromBefore(order, recurrence, until, key)
-                .orElseGet(() -> addNew(order, recurrence, until, template, user, key)));
+                .orElseGet(() -> addNew(order, recurrence, until, template, by, key)));
   }
 
   private Optional<KeyedAnswer<Schedule>> answerFromBefore(
@@ -83,10 +84,10 @@ public final class StoredSchedules implements Schedules {
       Recurrence recurrence,
       @Nullable Instant until,
       @Nullable TemplateUse template,
-      String user,
+      Orderer by,
       UUID key) {
     List<Rejection> rejections =
-        fleet.rejections(List.of(order), user).toCompletableFuture().join();
+        fleet.rejections(List.of(order), by.name()).toCompletableFuture().join();
     if (!rejections.isEmpty()) {
       Rejection rejection = rejections.getFirst();
       return new KeyedAnswer.Answered<>(
@@ -99,7 +100,7 @@ public final class StoredSchedules implements Schedules {
                     () ->
                         new KeyedAnswer.Answered<>(
                             store(
-                                Schedule.of(order, recurrence, until, user, clock.instant())
+                                Schedule.of(order, recurrence, until, by, clock.instant())
                                     .from(template),
                                 key))));
   }

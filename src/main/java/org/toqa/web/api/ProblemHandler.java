@@ -20,6 +20,9 @@ public record ProblemHandler(Handler handler) implements Handler {
     } catch (Problem.ProblemException e) {
       e.problem().send(request, response);
     } catch (StoreException e) {
+      if (e.kind() == StoreException.Kind.UNKNOWN_USER) {
+        response.setHeader("WWW-Authenticate", "Bearer");
+      }
       Problem.of(ErrorResponse.status(e), ErrorResponse.sentence(request, e))
           .send(request, response);
     } catch (CheckRefusedException e) {

@@ -7,6 +7,7 @@ import java.time.Instant;
 import org.toqa.fleet.KeyedAnswer;
 import org.toqa.fleet.Schedule;
 import org.toqa.web.FleetAnswers;
+import org.toqa.web.IdempotentSubmitter;
 import org.toqa.web.Texts;
 import org.toqa.web.access.Caller;
 import org.toqa.web.input.ScheduleOrder;
@@ -47,7 +48,7 @@ public final class SchedulesResource extends ApiHandler {
                     order.recurrence(),
                     order.until(),
                     order.template(),
-                    Caller.of(request).name(),
+                    IdempotentSubmitter.orderer(Caller.of(request).account()),
                     IdempotencyKey.of(request)))) {
           case KeyedAnswer.Answered<Schedule>(var answer) -> acceptedValue(request, answer);
           case KeyedAnswer.Repeated<Schedule>(Schedule before) -> before;

@@ -5,6 +5,7 @@ import jakarta.servlet.http.HttpServletResponse;
 import java.io.IOException;
 import java.util.Optional;
 import org.toqa.fleet.TaskTemplate;
+import org.toqa.web.IdempotentSubmitter;
 import org.toqa.web.RequestPath;
 import org.toqa.web.Texts;
 import org.toqa.web.access.Caller;
@@ -83,7 +84,7 @@ public final class TemplatesResource extends ApiHandler {
         TemplateReader.read(
             JsonBody.read(request, errors),
             services(request).fleet().floors(),
-            Caller.of(request).name(),
+            IdempotentSubmitter.orderer(Caller.of(request).account()),
             services(request).clock().instant());
     throwIfAny(errors);
     return read;

@@ -9,6 +9,7 @@ import java.util.Objects;
 import java.util.Optional;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
+import org.toqa.fleet.Orderer;
 import org.toqa.fleet.TaskOrder;
 import org.toqa.fleet.TaskOrder.Where;
 import org.toqa.fleet.TaskTemplate;
@@ -43,11 +44,11 @@ public final class TemplateReader {
    * A template that is not stored yet.
    *
    * @param floors those that there are, at least one
-   * @param user who makes it
+   * @param by who makes it
    */
   public static TaskTemplate read(
-      JsonFields fields, List<FloorMap> floors, String user, Instant now) {
-    return new TemplateReader(fields, floors, now).read(user);
+      JsonFields fields, List<FloorMap> floors, Orderer by, Instant now) {
+    return new TemplateReader(fields, floors, now).read(by);
   }
 
   /**
@@ -55,8 +56,7 @@ public final class TemplateReader {
    * asked for ({@code ask.FIELD}: {@code always}, {@code suggest} or {@code never}) and as what
    * ({@code as.FIELD}).
    */
-  public static TaskTemplate readForm(
-      Fields form, List<FloorMap> floors, String user, Instant now) {
+  public static TaskTemplate readForm(Fields form, List<FloorMap> floors, Orderer by, Instant now) {
     ObjectNode order =
         Optional.ofNullable(TemplateFiller.objectIn(form.text(ORDER)))
             .orElseGet(JsonNodeFactory.instance::objectNode);
@@ -79,7 +79,7 @@ public final class TemplateReader {
     }
     body.set(ORDER, order);
     FieldErrors errors = new FieldErrors();
-    TaskTemplate read = read(JsonFields.of(body, form.texts(), errors), floors, user, now);
+    TaskTemplate read = read(JsonFields.of(body, form.texts(), errors), floors, by, now);
     errors.sentences().forEach((at, sentence) -> form.errors().add(entered(at, asked), sentence));
     return read;
   }
@@ -92,7 +92,7 @@ public final class TemplateReader {
     return "as." + asked.get(Integer.parseInt(at.split("\\.", -1)[1]));
   }
 
-  private TaskTemplate read(String user) {
+  private TaskTemplate read(Orderer by) {
     String name = fields.rules().taskName(fields.path("name"), fields.text("name"));
     boolean shared = fields.flag("shared");
     ObjectNode order = fields.object(ORDER).copy();
@@ -102,7 +102,15 @@ public final class TemplateReader {
     order.remove("floor");
     TaskTemplate template =
         new TaskTemplate(
-            0, name, floor.name(), order.toString(), parameters, shared, user, null, now);
+            0,
+            name,
+            floor.name(),
+            order.toString(),
+            parameters,
+            shared,
+            by.name(),
+            by.account(),
+            now);
     if (fields.errors().isEmpty()) {
       check(template, floor);
     }

@@ -150,6 +150,7 @@ public final class UserCommands {
       case OUTDATED -> Optional.of(texts.get("error.changed"));
       case LAST_MANAGER -> Optional.of(texts.get("error.lastManager"));
       case LAST_ADMINISTRATOR -> Optional.of(texts.get("error.lastAdministrator"));
+      case OPEN_TASKS -> Optional.of(texts.get("error.delete.unfinished"));
     };
   }
 }

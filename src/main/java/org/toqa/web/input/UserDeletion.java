@@ -1,5 +1,6 @@
 package org.toqa.web.input;
 
+import java.time.Duration;
 import java.util.ArrayList;
 import java.util.EnumSet;
 import java.util.List;
@@ -32,6 +33,11 @@ import org.toqa.web.access.Caller;
 public final class UserDeletion {
   private static final String HAND_OVER = "handOver";
   private static final int PAGE = 500;
+
+  /** How often what is left is looked for, and how long between. */
+  private static final int TRIES = 50;
+
+  private static final Duration PAUSE = Duration.ofMillis(50);
 
   private final Services services;
   private final Texts texts;
@@ -102,10 +108,88 @@ public final class UserDeletion {
   }
 
   /**
-   * Hands over or ends what the user has, then deletes him. Does nothing but file errors where a
-   * choice is missing or wrong.
+   * Hands over or ends what the user has, and deletes him.
+   *
+   * <ol>
+   *   <li>What is chosen must fit what he has; else nothing is done but errors filed.
+   *   <li>He is disabled. From then on nothing new of his is stored, also of what was under way,
+   *       and he is as if not logged in.
+   *   <li>What he has by then is looked at again: the choices must fit what came last too.
+   *   <li>His tasks are handed over or cancelled.
+   *   <li>One transaction hands his schedules and tokens over, or removes them, and deletes him; it
+   *       refuses while a task is left that is neither, and the last three are done again for a
+   *       while.
+   * </ol>
+   *
+   * What a crash cuts off after the second step leaves a user who may not log in and still has what
+   * is not done yet: he is deleted again, to the same end.
    */
   public void run(Caller caller, Choices choices) {
+    chosen(caller, choices);
+    if (isLastManager()) {
+      errors.add("form", texts.get("error.lastManager"));
+    }
+    if (!errors.isEmpty()) {
+      return;
+    }
+    AccountStore.ChangeResult disabled =
+        services.accounts().update(user.id(), user.role(), true, user, caller.name());
+    UserCommands.refusal(disabled, texts).ifPresent(sentence -> errors.add("form", sentence));
+    if (errors.isEmpty()) {
+      UserCommands.refusal(deleteDisabled(caller, choices), texts)
+          .ifPresent(sentence -> errors.add("form", sentence));
+    }
+  }
+
+  /** {@code DONE} also where errors are filed. */
+  private AccountStore.ChangeResult deleteDisabled(Caller caller, Choices choices) {
+    AccountStore.ChangeResult result = AccountStore.ChangeResult.OPEN_TASKS;
+    for (int tries = 0; tries < TRIES && result == AccountStore.ChangeResult.OPEN_TASKS; tries++) {
+      if (tries > 0) {
+        awaitQueue();
+      }
+      Chosen chosen = chosen(caller, choices);
+      if (!errors.isEmpty()) {
+        return AccountStore.ChangeResult.DONE;
+      }
+      command(
+          chosen.tasks(),
+          chosen.giveTasks() && chosen.heir() != null
+              ? new MissionEvent.HandOver(caller.name(), chosen.heir().name(), chosen.heir().id())
+              : new MissionEvent.Cancel(caller.name(), chosen.load()));
+      result =
+          services
+              .accounts()
+              .delete(
+                  user.id(),
+                  new Handover(
+                      chosen.giveSchedules() ? chosen.heir() : null,
+                      chosen.giveTokens() ? chosen.heir() : null),
+                  caller.name());
+    }
+    return result;
+  }
+
+  /** A task that was just stored is in its floor's queue a moment later. */
+  private static void awaitQueue() {
+    try {
+      Thread.sleep(PAUSE);
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+    }
+  }
+
+  /** What becomes of what the user has now. */
+  private record Chosen(
+      List<TaskView> tasks,
+      boolean giveTasks,
+      boolean giveSchedules,
+      boolean giveTokens,
+      @Nullable Account heir,
+      @Nullable LoadChoice load) {}
+
+  /** Files an error where a choice is missing or wrong. */
+  private Chosen chosen(Caller caller, Choices choices) {
     List<TaskView> tasks = openTasks();
     boolean giveTasks = isHandedOver("tasks", choices.tasks(), "cancel", tasks.size());
     boolean giveSchedules =
@@ -119,28 +203,13 @@ public final class UserDeletion {
         && tasks.stream().anyMatch(task -> task.state() == TaskState.CARRYING)) {
       errors.add("load", texts.get("error.cancel.load"));
     }
-    if (isLastManager()) {
-      errors.add("form", texts.get("error.lastManager"));
-    }
-    if (!errors.isEmpty()) {
-      return;
-    }
-    command(
-        tasks,
-        giveTasks && heir != null
-            ? new MissionEvent.HandOver(caller.name(), heir.name(), heir.id())
-            : new MissionEvent.Cancel(caller.name(), load));
-    AccountStore.ChangeResult result =
-        services
-            .accounts()
-            .delete(
-                user.id(),
-                new Handover(giveSchedules ? heir : null, giveTokens ? heir : null),
-                caller.name());
-    UserCommands.refusal(result, texts).ifPresent(sentence -> errors.add("form", sentence));
+    return new Chosen(tasks, giveTasks, giveSchedules, giveTokens, heir, load);
   }
 
-  /** Those that have ended meanwhile, or are delivered, need nothing any more. */
+  /**
+   * Those that have ended meanwhile, or are delivered, need nothing any more; others are found
+   * again.
+   */
   private void command(List<TaskView> tasks, MissionEvent.OperatorCommand command) {
     List<CompletionStage<Answer<TaskView>>> answers =
         tasks.stream().map(task -> services.fleet().commandTask(task.id(), command)).toList();

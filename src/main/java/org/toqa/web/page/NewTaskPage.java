@@ -114,7 +114,7 @@ public final class NewTaskPage extends PageHandler {
                 order.recurrence(),
                 order.until(),
                 order.template(),
-                user.name(),
+                IdempotentSubmitter.orderer(user.account()),
                 key));
   }
 
@@ -181,7 +181,10 @@ public final class NewTaskPage extends PageHandler {
           acceptedValue(
               request,
               atField.apply(
-                  FleetAnswers.await(services(request).fleet().submit(order, user.name()))),
+                  FleetAnswers.await(
+                      services(request)
+                          .fleet()
+                          .submit(order, IdempotentSubmitter.orderer(user), UUID.randomUUID()))),
               errors);
     };
   }

@@ -16,6 +16,7 @@ import org.toqa.fleet.PartsOrder;
 import org.toqa.fleet.TaskTemplate;
 import org.toqa.fleet.TaskTemplate.Parameter;
 import org.toqa.fleet.TaskView;
+import org.toqa.web.IdempotentSubmitter;
 import org.toqa.web.Tasks;
 import org.toqa.web.Texts;
 import org.toqa.web.access.Caller;
@@ -148,7 +149,7 @@ public final class TemplateEditPage extends PageHandler {
             TemplateReader.readForm(
                 fields,
                 services(request).fleet().floors(),
-                Caller.of(request).name(),
+                IdempotentSubmitter.orderer(Caller.of(request).account()),
                 services(request).clock().instant()));
   }
 

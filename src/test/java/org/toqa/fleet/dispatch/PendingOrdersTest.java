@@ -10,6 +10,7 @@ import org.apache.pekko.pattern.StatusReply;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.toqa.fleet.Answer;
+import org.toqa.fleet.Orderer;
 import org.toqa.fleet.TaskOrder;
 import org.toqa.fleet.TaskOrder.Where;
 import org.toqa.fleet.TaskView;
@@ -57,7 +58,7 @@ class PendingOrdersTest {
     DispatchMessage.SubmitTask request =
         new DispatchMessage.SubmitTask(
             ORDER,
-            user,
+            Orderer.named(user),
             UUID.randomUUID(),
             0,
             new OrderChecks(Runnable::run, 1, System::nanoTime).begin(user),

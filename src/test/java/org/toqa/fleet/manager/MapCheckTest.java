@@ -8,6 +8,7 @@ import java.util.Map;
 import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.Test;
 import org.toqa.fleet.MapProblem;
+import org.toqa.fleet.Orderer;
 import org.toqa.fleet.Recurrence;
 import org.toqa.fleet.Schedule;
 import org.toqa.fleet.TaskOrder;
@@ -102,7 +103,7 @@ class MapCheckTest {
                 "Round", 0, new Where.Charger("C1"), new Where.Charger("C1"), null, 0, null, null)
             .along(List.of(new StopOrder(new Where.Charger("C1"), false, null, 1.0)));
     Schedule schedule =
-        Schedule.of(order, new Recurrence.Once(at.plusSeconds(60)), null, "Ann", at);
+        Schedule.of(order, new Recurrence.Once(at.plusSeconds(60)), null, Orderer.named("Ann"), at);
     FloorDrawing drawing =
         new FloorDrawing(
             WALLS,

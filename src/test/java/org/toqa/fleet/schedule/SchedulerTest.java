@@ -27,6 +27,7 @@ import org.toqa.allocation.Policy;
 import org.toqa.fleet.ChargingRules;
 import org.toqa.fleet.FleetStage;
 import org.toqa.fleet.FleetStore;
+import org.toqa.fleet.Orderer;
 import org.toqa.fleet.Recurrence;
 import org.toqa.fleet.Schedule;
 import org.toqa.fleet.ScheduleStore;
@@ -337,7 +338,8 @@ class SchedulerTest {
 
   private long add(TaskOrder order, Recurrence recurrence, @Nullable Instant until) {
     return schedules
-        .add(Schedule.of(order, recurrence, until, "Clara", START), UUID.randomUUID())
+        .add(
+            Schedule.of(order, recurrence, until, Orderer.named("Clara"), START), UUID.randomUUID())
         .orElseThrow();
   }
 }

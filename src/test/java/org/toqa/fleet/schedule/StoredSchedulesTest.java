@@ -22,6 +22,7 @@ import org.junit.jupiter.api.Timeout;
 import org.toqa.fleet.Answer;
 import org.toqa.fleet.FleetStage;
 import org.toqa.fleet.KeyedAnswer;
+import org.toqa.fleet.Orderer;
 import org.toqa.fleet.Recurrence;
 import org.toqa.fleet.Schedule;
 import org.toqa.fleet.TaskOrder;
@@ -81,7 +82,7 @@ class StoredSchedulesTest {
 
   @Test
   void theLastPlaceIsTakenOnce() throws Exception {
-    Schedule one = Schedule.of(ORDER, hourly, null, "Clara", Instant.now());
+    Schedule one = Schedule.of(ORDER, hourly, null, Orderer.named("Clara"), Instant.now());
     for (int i = 1; i < MAX_SCHEDULES; i++) {
       store.add(one, UUID.randomUUID());
     }
