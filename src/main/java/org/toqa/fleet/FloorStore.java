@@ -25,7 +25,10 @@ public interface FloorStore {
    */
   boolean addFloor(FloorMap map, Change change);
 
-  /** Removes a floor with its draft; the maps that were in force stay for the history. */
+  /**
+   * Removes a floor with its draft and all that is kept by its name, but for the history: events,
+   * maps that were in force, ended tasks, and what the replay shows.
+   */
   void removeFloor(String floor, Change change);
 
   /** The floor's draft, or what is in force where there is none; empty: no such floor. */

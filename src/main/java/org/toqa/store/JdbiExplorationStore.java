@@ -53,6 +53,11 @@ public final class JdbiExplorationStore implements ExplorationStore {
   }
 
   @Override
+  public void remove(String floor) {
+    sql.inTransaction(h -> h.execute("delete from explorations where floor = ?", floor));
+  }
+
+  @Override
   public void save(Exploration exploration, List<EventRecord> events) {
     ExplorationOrder order = exploration.order();
     sql.inTransaction(

@@ -23,6 +23,16 @@ public final class JdbiFloorStore implements FloorStore {
   private static final String NEWEST_MAP =
       "select files from floor_maps where floor = :floor order by id desc limit 1";
 
+  /** Tables of what a new floor of the same name must not find. */
+  private static final List<String> BY_FLOOR =
+      List.of(
+          "floor_drafts",
+          "floor_holds",
+          "floor_allocators",
+          "sightings",
+          "supervisions",
+          "explorations");
+
   private final SqlExecutor sql;
   private final Margins margins;
 
@@ -106,9 +116,7 @@ public final class JdbiFloorStore implements FloorStore {
     sql.inTransaction(
         h -> {
           h.execute("delete from floors where name_key = ?", key(floor));
-          h.execute("delete from floor_drafts where floor = ?", floor);
-          h.execute("delete from floor_holds where floor = ?", floor);
-          h.execute("delete from floor_allocators where floor = ?", floor);
+          BY_FLOOR.forEach(table -> h.execute("delete from " + table + " where floor = ?", floor));
           EventTable.addMissing(h, change.events());
           return null;
         });

@@ -60,6 +60,11 @@ public final class JdbiSupervisionStore implements SupervisionStore {
   }
 
   @Override
+  public void remove(String floor) {
+    sql.inTransaction(h -> h.execute("delete from supervisions where floor = ?", floor));
+  }
+
+  @Override
   public void save(Supervision supervision, List<EventRecord> events) {
     sql.inTransaction(
         h -> {

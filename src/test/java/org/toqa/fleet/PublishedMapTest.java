@@ -127,6 +127,28 @@ class PublishedMapTest {
         answer);
   }
 
+  @Test
+  void robotForAFloorThatIsBeingRemovedStaysWhereItIs() throws Exception {
+    FloorEditing editing = live.fleet.floorEditing();
+    FloorDrawing hall = live.fleet.floors().getFirst().drawing();
+    accepted(editing.addFloor("cellar", FloorDrawing.of(hall.walls()), "Max"));
+    accepted(live.fleet.takeOutOfService("r2", "Max"));
+    List<CompletionStage<Answer<RobotView>>> moves = new ArrayList<>();
+    RobotMove move = new RobotMove("cellar", new Pose(3, 2.1, 0));
+    live.floors.setWhileRemoving(() -> moves.add(live.fleet.moveRobot("r2", move, "Max")));
+
+    accepted(editing.removeFloor("cellar", "Max"));
+
+    Answer<RobotView> answer = moves.getFirst().toCompletableFuture().get(10, TimeUnit.SECONDS);
+    assertEquals(
+        new Answer.Rejected<>(
+            "floor", Phrase.NO_SUCH_FLOOR_BUT.with("cellar", Sentence.names(List.of("hall")))),
+        answer);
+    assertEquals(
+        List.of("hall", "hall"), live.store.robots().stream().map(RobotRecord::floor).toList());
+    assertEquals("hall", accepted(live.fleet.putInService("r2", "Max")).floor());
+  }
+
   private static <T> String refused(CompletionStage<Answer<T>> answer) throws Exception {
     Answer<T> given = answer.toCompletableFuture().get(10, TimeUnit.SECONDS);
     return ((Answer.Conflict<T>) given).sentence().english();

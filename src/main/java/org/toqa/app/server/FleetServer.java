@@ -11,6 +11,7 @@ import java.util.OptionalLong;
 import java.util.concurrent.CompletionStage;
 import java.util.function.BiConsumer;
 import java.util.function.Function;
+import java.util.function.ToLongFunction;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -26,8 +27,10 @@ import org.toqa.app.lab.ExperimentProcess;
 import org.toqa.camera.Cameras;
 import org.toqa.fleet.Fleet;
 import org.toqa.fleet.FleetRules;
+import org.toqa.fleet.FloorListener;
 import org.toqa.fleet.PeriodicWork;
 import org.toqa.fleet.SnapshotFeed;
+import org.toqa.fleet.TaskTemplateStore;
 import org.toqa.fleet.exploration.Explorer;
 import org.toqa.fleet.history.SceneRecorder;
 import org.toqa.fleet.history.SeenPlaces;
@@ -243,6 +246,7 @@ public final class FleetServer implements AutoCloseable {
     supervisor.begin();
     parts.push(supervisor);
     fleet.addWarning(supervisor::warning);
+    fleet.addFloorListener(supervisor);
     Explorer explorer =
         new Explorer(
             new JdbiExplorationStore(database.jdbi()),
@@ -252,6 +256,7 @@ public final class FleetServer implements AutoCloseable {
             () -> Explorer.WATCHED);
     explorer.recover();
     parts.push(explorer);
+    fleet.addFloorListener(explorer);
     JdbiTrackStore tracks = new JdbiTrackStore(database.jdbi());
     parts.push(new TrackRecorder(fleet.snapshots(), tracks));
     parts.push(new SceneRecorder(fleet.snapshots(), new JdbiSceneStore(database.jdbi())));
@@ -263,7 +268,10 @@ public final class FleetServer implements AutoCloseable {
             configuration.simulationSpeed()));
     JdbiSightingStore sightings = new JdbiSightingStore(database.jdbi());
     SeenPlaces seenPlaces = new SeenPlaces(sightings.sightings());
-    parts.push(new SightingRecorder(fleet, seenPlaces, sightings, wallClock));
+    SightingRecorder sightingRecorder =
+        new SightingRecorder(fleet, seenPlaces, sightings, wallClock);
+    parts.push(sightingRecorder);
+    fleet.addFloorListener(sightingRecorder);
     RetentionJob retention =
         new RetentionJob(
             new HistoryPruner(database.jdbi()),
@@ -297,6 +305,8 @@ public final class FleetServer implements AutoCloseable {
     network.start();
     Cameras cameras = new Cameras(new JdbiCameraStore(database.jdbi(), wallClock));
     parts.push(cameras);
+    TaskTemplateStore templates = new JdbiTaskTemplateStore(database.jdbi(), wallClock);
+    addObjectors(fleet, templates, cameras);
     Notices notices = startNotices(site, configuration, database, fleet, mail, wallClock, parts);
     Services services =
         new Services(
@@ -309,7 +319,7 @@ public final class FleetServer implements AutoCloseable {
             new JdbiTrackStore(database.readers()),
             new JdbiSceneStore(database.readers()),
             schedules,
-            new JdbiTaskTemplateStore(database.jdbi(), wallClock),
+            templates,
             supervisor,
             explorer,
             new JdbiStatisticsArchive(database.readers()),
@@ -347,6 +357,30 @@ public final class FleetServer implements AutoCloseable {
                 Function.identity());
     return new FleetServer(
         configuration, database, clock, services, bodies, simulated, failed, parts);
+  }
+
+  /** What a person would miss is not removed with its floor. */
+  private static void addObjectors(AgentFleet fleet, TaskTemplateStore templates, Cameras cameras) {
+    addObjector(
+        fleet,
+        Phrase.FLOOR_HAS_TEMPLATES,
+        floor -> templates.templates().stream().filter(t -> t.floor().equals(floor)).count());
+    addObjector(
+        fleet,
+        Phrase.FLOOR_HAS_CAMERAS,
+        floor -> cameras.all().stream().filter(camera -> floor.equals(camera.floor())).count());
+  }
+
+  /**
+   * @param counter of what a floor has
+   */
+  private static void addObjector(AgentFleet fleet, Phrase phrase, ToLongFunction<String> counter) {
+    FloorListener.Objector objector =
+        floor ->
+            Optional.of(counter.applyAsLong(floor))
+                .filter(count -> count > 0)
+                .map(count -> phrase.with(floor, count));
+    fleet.addFloorListener(objector);
   }
 
   private static Notices startNotices(

@@ -18,4 +18,7 @@ public interface ExplorationStore {
    * @param events what the history says of it; those that are there are not added again
    */
   void save(Exploration exploration, List<EventRecord> events);
+
+  /** Forgets that of a floor, if there is one; the history keeps its lines. */
+  void remove(String floor);
 }

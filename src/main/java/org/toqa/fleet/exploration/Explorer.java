@@ -26,6 +26,7 @@ import org.toqa.fleet.EventKind;
 import org.toqa.fleet.EventRecord;
 import org.toqa.fleet.Fleet;
 import org.toqa.fleet.FloorDraft;
+import org.toqa.fleet.FloorListener;
 import org.toqa.geometry.Vec2;
 import org.toqa.grid.FloorDrawing;
 import org.toqa.grid.OccupancyGrid;
@@ -51,7 +52,7 @@ import org.toqa.wording.Sentence;
  * <p>Of each floor the last one is kept; beginning and end are in the history. Any thread may call
  * it.
  */
-public final class Explorer implements AutoCloseable {
+public final class Explorer implements FloorListener, AutoCloseable {
   private static final Logger log = LoggerFactory.getLogger(Explorer.class);
 
   /** Before the name of a floor whose map in force is the ground. */
@@ -189,9 +190,11 @@ public final class Explorer implements AutoCloseable {
     }
     boolean isBegun = false;
     try {
-      Exploration begun = begin(floor, ground, truth.get(), order, user, draft.get());
-      isBegun = true;
-      return new Answer.Accepted<>(begun);
+      Optional<Exploration> begun = begin(floor, ground, truth.get(), order, user, draft.get());
+      isBegun = begun.isPresent();
+      return begun
+          .<Answer<Exploration>>map(Answer.Accepted::new)
+          .orElseGet(() -> new Answer.Unknown<>(Phrase.NO_SUCH_FLOOR.with(floor)));
     } finally {
       if (!isBegun) {
         slot.release();
@@ -199,13 +202,17 @@ public final class Explorer implements AutoCloseable {
     }
   }
 
-  private Exploration begin(
+  /** Empty: the floor is there no more. */
+  private synchronized Optional<Exploration> begin(
       String floor,
       String ground,
       OccupancyGrid truth,
       ExplorationOrder order,
       String user,
       FloorDraft draft) {
+    if (fleet.floorEditing().draft(floor).isEmpty()) {
+      return Optional.empty();
+    }
     ExplorationDrive drive = new ExplorationDrive(truth, order);
     Exploration begun =
         new Exploration(
@@ -226,7 +233,39 @@ public final class Explorer implements AutoCloseable {
     latest.put(floor, begun);
     running.put(floor, now);
     thread.execute(() -> advance(now));
-    return begun;
+    return Optional.of(begun);
+  }
+
+  @Override
+  public Optional<Sentence> objectionToRemoval(String floor) {
+    return latest(floor)
+        .filter(last -> !last.state().isOver())
+        .map(_ -> Phrase.FLOOR_IS_EXPLORED.with(floor));
+  }
+
+  @Override
+  public synchronized void floorRemoved(String floor) {
+    latest.remove(floor);
+    store.remove(floor);
+  }
+
+  /**
+   * Shows and stores what an exploration has come to, unless its floor was removed: one that has
+   * its name now is another one.
+   */
+  private synchronized void keep(Exploration next, List<EventRecord> events) {
+    if (isKept(next)) {
+      latest.put(next.floor(), next);
+      store.save(next, events);
+    }
+  }
+
+  private boolean isKept(Exploration exploration) {
+    return latest(exploration.floor()).filter(now -> isSame(now, exploration)).isPresent();
+  }
+
+  private static boolean isSame(Exploration now, Exploration before) {
+    return now.startedAt().equals(before.startedAt());
   }
 
   private static Optional<Answer<Exploration>> refusal(
@@ -244,6 +283,12 @@ public final class Explorer implements AutoCloseable {
   }
 
   private void advance(Running now) {
+    if (!isKept(now.begun)) { // its floor was removed when it had just begun
+      running.remove(now.begun.floor(), now);
+      slot.release();
+      now.end.complete(now.begun.with(Exploration.State.STOPPED, now.begun.picture()));
+      return;
+    }
     Exploration last = now.begun.with(Exploration.State.FAILED, now.begun.picture());
     try {
       Exploration.State state =
@@ -284,12 +329,14 @@ public final class Explorer implements AutoCloseable {
 
   private void show(Running now) {
     Exploration seen = now.begun.with(Exploration.State.RUNNING, now.drive.picture());
-    latest.put(seen.floor(), seen);
     if (System.nanoTime() - now.storedNanos < STORE_PERIOD.toNanos()) {
+      var _ =
+          latest.computeIfPresent(
+              seen.floor(), (_, before) -> isSame(before, seen) ? seen : before);
       return;
     }
     try {
-      store.save(seen, List.of());
+      keep(seen, List.of());
     } catch (StoreException e) {
       log.debug("An exploration that goes on is not stored: {}", e.toString());
     }
@@ -335,18 +382,17 @@ public final class Explorer implements AutoCloseable {
   private Exploration ended(Exploration last, Exploration.Draft became, @Nullable String stopper) {
     Exploration ended = last.ended(clock.instant(), became);
     try {
-      keep(ended, List.of(end(ended, stopper)));
+      keepInTheEnd(ended, List.of(end(ended, stopper)));
     } catch (RuntimeException e) {
       log.error("The end of the exploration of {} cannot be stored.", ended.floor(), e);
     }
-    latest.put(ended.floor(), ended);
     return ended;
   }
 
   /** Tries again while the store does not answer. */
-  private void keep(Exploration exploration, List<EventRecord> events) {
+  private void keepInTheEnd(Exploration exploration, List<EventRecord> events) {
     try {
-      store.save(exploration, events);
+      keep(exploration, events);
     } catch (StoreException e) {
       log.warn(
           "The exploration of {} is not stored, which is tried again: {}",
@@ -356,8 +402,8 @@ public final class Explorer implements AutoCloseable {
           thread.schedule(
               () -> {
                 Exploration now = latest.get(exploration.floor());
-                if (now != null && now.startedAt().equals(exploration.startedAt())) {
-                  keep(now, events);
+                if (now != null && isSame(now, exploration)) {
+                  keepInTheEnd(now, events);
                 }
               },
               STORE_PERIOD.toNanos(),
@@ -429,7 +475,7 @@ public final class Explorer implements AutoCloseable {
               }
               Exploration saved = last.saved();
               if (latest.replace(floor, last, saved)) {
-                thread.execute(() -> keep(saved, List.of()));
+                thread.execute(() -> keepInTheEnd(saved, List.of()));
               }
               return new Answer.Accepted<>(saved);
             });

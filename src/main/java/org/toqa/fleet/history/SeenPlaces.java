@@ -178,6 +178,11 @@ public final class SeenPlaces {
     changed = true;
   }
 
+  /** Nothing was ever seen on a floor of that name. */
+  synchronized void forget(String floor) {
+    changed |= sightings.keySet().removeIf(spot -> spot.floor().equals(floor));
+  }
+
   /** All that is known, if it has changed since this was asked last. */
   synchronized Optional<Map<Spot, Sighting>> takeChanged() {
     boolean isNew = changed;

@@ -3,19 +3,22 @@ package org.toqa.fleet.history;
 import java.time.Duration;
 import java.time.InstantSource;
 import java.util.Map;
+import java.util.Optional;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 import org.toqa.fleet.Fleet;
 import org.toqa.fleet.FleetSnapshot;
+import org.toqa.fleet.FloorListener;
 import org.toqa.fleet.FloorView;
 import org.toqa.fleet.PeriodicWork;
 import org.toqa.fleet.history.SeenPlaces.Sighting;
 import org.toqa.fleet.history.SeenPlaces.Spot;
 import org.toqa.grid.FloorMap;
 import org.toqa.persistence.StoreException;
+import org.toqa.wording.Sentence;
 
 /** Watches what robots see, and stores it now and then. */
-public final class SightingRecorder implements AutoCloseable {
+public final class SightingRecorder implements FloorListener, AutoCloseable {
   private static final Logger log = LoggerFactory.getLogger(SightingRecorder.class);
 
   /** An obstacle is remembered for longer by the floor. */
@@ -39,7 +42,7 @@ public final class SightingRecorder implements AutoCloseable {
     this.work = new PeriodicWork("sightings", OBSERVE_INTERVAL, this::observe);
   }
 
-  private void observe() {
+  private synchronized void observe() {
     FleetSnapshot snapshot = fleet.snapshots().latest();
     for (FloorMap floor : fleet.floors()) {
       for (FloorView view : snapshot.floors()) {
@@ -54,8 +57,24 @@ public final class SightingRecorder implements AutoCloseable {
     }
   }
 
+  @Override
+  public Optional<Sentence> objectionToRemoval(String floor) {
+    return Optional.empty();
+  }
+
+  /** Not while something is observed, which may still be on that floor. */
+  @Override
+  public synchronized void floorRemoved(String floor) {
+    places.forget(floor);
+    write();
+  }
+
   private void write() {
     places.takeChanged().ifPresent(this::write);
+  }
+
+  private synchronized void writeLast() {
+    write();
   }
 
   private void write(Map<Spot, Sighting> sightings) {
@@ -70,6 +89,6 @@ public final class SightingRecorder implements AutoCloseable {
   @Override
   public void close() {
     work.close();
-    write();
+    writeLast();
   }
 }

@@ -30,6 +30,7 @@ import org.toqa.fleet.FleetRuntime;
 import org.toqa.fleet.FleetSnapshot;
 import org.toqa.fleet.FleetStore;
 import org.toqa.fleet.FloorEditing;
+import org.toqa.fleet.FloorListener;
 import org.toqa.fleet.FloorStore;
 import org.toqa.fleet.FloorView.BoxView;
 import org.toqa.fleet.Hold;
@@ -100,6 +101,7 @@ public final class AgentFleet implements Fleet, AutoCloseable {
   private final FloorRouter router;
   private final List<Consumer<FloorMap>> mapListeners = new CopyOnWriteArrayList<>();
   private final List<MoveListener> moveListeners = new CopyOnWriteArrayList<>();
+  private final List<FloorListener> floorListeners = new CopyOnWriteArrayList<>();
   private final CompletableFuture<Void> failed = new CompletableFuture<>();
   private volatile boolean isClosing;
 
@@ -180,6 +182,7 @@ public final class AgentFleet implements Fleet, AutoCloseable {
             floors,
             robots,
             shared,
+            floorListeners,
             this::startFloor,
             this::restartFloor);
     try {
@@ -551,6 +554,11 @@ public final class AgentFleet implements Fleet, AutoCloseable {
    */
   public void addMoveListener(MoveListener listener) {
     moveListeners.add(listener);
+  }
+
+  /** From now on the listener is asked and told of each floor that is removed. */
+  public void addFloorListener(FloorListener listener) {
+    floorListeners.add(listener);
   }
 
   /**

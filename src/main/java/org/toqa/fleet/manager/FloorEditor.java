@@ -24,6 +24,7 @@ import org.toqa.fleet.EventKind;
 import org.toqa.fleet.EventRecord;
 import org.toqa.fleet.FloorDraft;
 import org.toqa.fleet.FloorEditing;
+import org.toqa.fleet.FloorListener;
 import org.toqa.fleet.FloorStore;
 import org.toqa.fleet.FloorView;
 import org.toqa.fleet.FloorView.LeftLoad;
@@ -66,11 +67,13 @@ final class FloorEditor implements FloorEditing, AutoCloseable {
   private final FloorDirectory floors;
   private final RobotFloors robots;
   private final SharedParts shared;
+  private final List<FloorListener> listeners;
   private final Consumer<FloorMap> starter;
   private final BiFunction<FloorEntry, FloorMap, FloorFleet> restarter;
   private final ScheduledExecutorService changes;
 
   /**
+   * @param listeners are asked and told of each floor that is removed
    * @param starter starts a new floor and adds it to the directory
    * @param restarter starts agents of a floor on another map
    */
@@ -80,6 +83,7 @@ final class FloorEditor implements FloorEditing, AutoCloseable {
       FloorDirectory floors,
       RobotFloors robots,
       SharedParts shared,
+      List<FloorListener> listeners,
       Consumer<FloorMap> starter,
       BiFunction<FloorEntry, FloorMap, FloorFleet> restarter) {
     this.store = store;
@@ -87,6 +91,7 @@ final class FloorEditor implements FloorEditing, AutoCloseable {
     this.floors = floors;
     this.robots = robots;
     this.shared = shared;
+    this.listeners = listeners;
     this.starter = starter;
     this.restarter = restarter;
     // a thread of its own, since it waits for agents to start and to end
@@ -181,10 +186,21 @@ final class FloorEditor implements FloorEditing, AutoCloseable {
               floors.remove(entry); // from now on nobody finds it
               return true;
             });
+    if (isRemoved) {
+      listeners.forEach(listener -> tellRemoved(listener, name));
+    }
     Sentence why = objection.get();
     return isRemoved || why == null
         ? new Answer.Accepted<>(name)
         : new Answer.Conflict<>(why, null);
+  }
+
+  private static void tellRemoved(FloorListener listener, String floor) {
+    try {
+      listener.floorRemoved(floor);
+    } catch (RuntimeException e) { // the others are told
+      log.error("What is kept of the removed floor {} is not forgotten.", floor, e);
+    }
   }
 
   private Optional<Sentence> objectionToRemoval(FloorEntry entry) {
@@ -202,7 +218,12 @@ final class FloorEditor implements FloorEditing, AutoCloseable {
             objection(loads, Phrase.FLOOR_HAS_LOADS, name),
             objection(orders, Phrase.FLOOR_HAS_SCHEDULES, name))
         .flatMap(Optional::stream)
-        .findFirst();
+        .findFirst()
+        .or(
+            () ->
+                listeners.stream()
+                    .flatMap(listener -> listener.objectionToRemoval(name).stream())
+                    .findFirst());
   }
 
   private static Optional<Sentence> objection(int count, Phrase text, String floor) {

@@ -5,12 +5,16 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.ConcurrentHashMap;
+import java.util.stream.Stream;
 import org.toqa.fleet.RobotRecord;
 
 /** On which floor each robot is; no two have the same name. Any thread may call it. */
 final class RobotFloors {
   /** By name, without regard to case. */
   private final Map<String, Entry> entries = new ConcurrentHashMap<>();
+
+  /** Where robots are being moved, by their names without regard to case. */
+  private final Map<String, String> coming = new ConcurrentHashMap<>();
 
   private record Entry(String robot, String floor) {}
 
@@ -31,8 +35,19 @@ final class RobotFloors {
     return entries.putIfAbsent(key(robot), new Entry(robot, floor)) == null;
   }
 
+  /** The floor is not empty until {@link #set} or {@link #stay}. */
+  void come(String robot, String floor) {
+    coming.put(key(robot), floor);
+  }
+
+  /** It has not come, and is where it was. */
+  void stay(String robot) {
+    coming.remove(key(robot));
+  }
+
   void set(String robot, String floor) {
     entries.put(key(robot), new Entry(robot, floor));
+    coming.remove(key(robot));
   }
 
   void remove(String robot) {
@@ -45,8 +60,11 @@ final class RobotFloors {
         .map(Entry::floor);
   }
 
-  /** How many are on the floor. */
+  /** How many are on the floor, or on their way there. */
   int count(String floor) {
-    return (int) entries.values().stream().filter(e -> e.floor().equals(floor)).count();
+    return (int)
+        Stream.concat(entries.values().stream().map(Entry::floor), coming.values().stream())
+            .filter(floor::equals)
+            .count();
   }
 }

@@ -12,6 +12,7 @@ import org.toqa.fleet.RobotMove;
 import org.toqa.fleet.RobotRecord;
 import org.toqa.fleet.RobotState;
 import org.toqa.fleet.RobotView;
+import org.toqa.fleet.dispatch.FloorFleet;
 import org.toqa.fleet.floor.PlaceCheck;
 import org.toqa.geometry.Pose;
 import org.toqa.grid.Disc;
@@ -21,6 +22,8 @@ import org.toqa.wording.Phrase;
  * Moves a robot that was carried to another floor.
  *
  * <ol>
+ *   <li>The other floor is not removed from here on until it has the robot; one that is removed is
+ *       told of, and nothing is done.
  *   <li>Its floor gives it up, if it is out of service and has no task; where it is now is stored
  *       with that.
  *   <li>The listeners are told, who carry bodies that are simulated.
@@ -66,12 +69,39 @@ final class RobotMover {
     if (other.isPresent()) {
       return done(new Answer.Rejected<>("x", Phrase.LOCATE_TAKEN.with(other.get())));
     }
-    return from.get()
-        .ask(floor -> floor.giveRobot(robot, move, user))
+    CompletionStage<Answer<RobotView>> carried =
+        to.get().ask(target -> carry(robot, from.get(), to.get(), target, move, user));
+    return FloorEntry.orIfRemoved(
+            carried, () -> new Answer.Rejected<>("floor", floors.noSuchFloor(move.floor())))
+        .thenCompose(
+            there ->
+                there instanceof Answer.Accepted<RobotView>
+                    ? locate(robot, to.get(), move, user, MOST_TRIES)
+                    : done(there));
+  }
+
+  /** While the other floor is asked, it is not removed; it counts the robot among its own. */
+  private CompletionStage<Answer<RobotView>> carry(
+      String robot,
+      FloorEntry from,
+      FloorEntry to,
+      FloorFleet target,
+      RobotMove move,
+      String user) {
+    robots.come(robot, to.name());
+    return from.ask(floor -> floor.giveRobot(robot, move, user))
+        .whenComplete(
+            (given, _) -> {
+              if (given instanceof Answer.Accepted<RobotView>) {
+                robots.set(robot, to.name());
+              } else {
+                robots.stay(robot);
+              }
+            })
         .thenCompose(
             given ->
                 given instanceof Answer.Accepted<RobotView>(RobotView view)
-                    ? take(view.record(), to.get(), move, user)
+                    ? take(view.record(), to, target, move)
                     : done(given));
   }
 
@@ -95,11 +125,9 @@ final class RobotMover {
   }
 
   private CompletionStage<Answer<RobotView>> take(
-      RobotRecord robot, FloorEntry to, RobotMove move, String user) {
-    robots.set(robot.name(), to.name());
+      RobotRecord robot, FloorEntry to, FloorFleet target, RobotMove move) {
     listeners.forEach(listener -> listener.moved(robot.name(), to.map(), move.pose()));
-    return to.ask(floor -> floor.takeRobot(robot.movedTo(to.name())))
-        .thenCompose(taken -> locate(robot.name(), to, move, user, MOST_TRIES));
+    return target.takeRobot(robot.movedTo(to.name()));
   }
 
   private CompletionStage<Answer<RobotView>> locate(

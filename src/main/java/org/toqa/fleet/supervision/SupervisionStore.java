@@ -18,4 +18,7 @@ public interface SupervisionStore {
    * @param events what the history says of it
    */
   void save(Supervision supervision, List<EventRecord> events);
+
+  /** Forgets that of a floor, if there is one; the history keeps its lines. */
+  void remove(String floor);
 }

@@ -33,6 +33,7 @@ import org.toqa.fleet.EventKind;
 import org.toqa.fleet.EventRecord;
 import org.toqa.fleet.Fleet;
 import org.toqa.fleet.FleetSnapshot;
+import org.toqa.fleet.FloorListener;
 import org.toqa.fleet.FloorView.BoxView;
 import org.toqa.fleet.RobotState;
 import org.toqa.fleet.RobotView;
@@ -70,7 +71,7 @@ import org.toqa.wording.Sentence;
  *
  * One thread does all of it, also what people ask; anybody may read what it found last.
  */
-public final class Supervisor implements AutoCloseable {
+public final class Supervisor implements FloorListener, AutoCloseable {
   private static final Logger log = LoggerFactory.getLogger(Supervisor.class);
   private static final Duration PERIOD = Duration.ofMillis(100);
   private static final Duration LIMIT = Duration.ofSeconds(12);
@@ -285,6 +286,28 @@ public final class Supervisor implements AutoCloseable {
           }
           return new Answer.Accepted<>(stopped);
         });
+  }
+
+  @Override
+  public Optional<Sentence> objectionToRemoval(String floor) {
+    return latest(floor)
+        .filter(Supervision::isRunning)
+        .map(_ -> Phrase.SUPERVISION_RUNS.with(floor));
+  }
+
+  @Override
+  public void floorRemoved(String floor) {
+    onThread(
+            () -> {
+              latest.remove(floor);
+              watches.remove(floor);
+              reports.remove(floor);
+              store.remove(floor);
+              return floor;
+            })
+        .toCompletableFuture()
+        .orTimeout(LIMIT.toMillis(), TimeUnit.MILLISECONDS)
+        .join();
   }
 
   private void end(String floor) {

@@ -7,18 +7,35 @@ import java.io.File;
 import java.net.URI;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.time.Instant;
+import java.util.ArrayList;
 import java.util.EnumMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.Executors;
+import java.util.concurrent.Future;
+import java.util.concurrent.TimeUnit;
 import java.util.stream.StreamSupport;
 import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.toqa.accounts.AccountStore;
+import org.toqa.accounts.Role;
 import org.toqa.app.command.StopSignal;
 import org.toqa.app.config.Configuration;
 import org.toqa.app.config.Setting;
 import org.toqa.app.config.SettingSource;
+import org.toqa.fleet.history.SeenPlaces;
+import org.toqa.fleet.history.SeenPlaces.Sighting;
+import org.toqa.fleet.supervision.SupervisedBox;
+import org.toqa.fleet.supervision.Supervision;
 import org.toqa.geometry.Vec2;
+import org.toqa.store.Database;
+import org.toqa.store.JdbiSightingStore;
+import org.toqa.store.JdbiSupervisionStore;
 import org.toqa.testbed.ApiClient;
 import org.toqa.testbed.ApiClient.Reply;
 import org.toqa.web.WebTestServer;
@@ -30,6 +47,9 @@ class FloorsOfServerTest {
   private static final Path MAPS = Path.of("maps").toAbsolutePath();
   private static final Map<String, Object> POST_ROOM = Map.of("station", "Post room");
   private static final Map<String, Object> ARCHIVE = Map.of("station", "Archive");
+
+  /** Of orders, at once. */
+  private static final int SENDERS = 4;
 
   @TempDir private Path folder;
 
@@ -63,8 +83,69 @@ class FloorsOfServerTest {
           }
           api.post("fleet/pause", Map.of());
           assertTrue(api.get("fleet").has("pause"));
+          whoIsDeletedWhileHeOrdersLeavesNothingOpen(toqa, api);
           api.post("fleet/resume", Map.of());
         });
+  }
+
+  /** One after the other, and tables, by connections that go on until they are refused. */
+  private static void whoIsDeletedWhileHeOrdersLeavesNothingOpen(FleetServer toqa, ApiClient api)
+      throws Exception {
+    AccountStore accounts = toqa.services().accounts();
+    for (String choice : List.of("cancel", "handOver", "cancel")) {
+      long clerk =
+          accounts.add("Clara", WebTestServer.PASSWORD_HASH, Role.CLERK, "Max").orElseThrow().id();
+      long heir =
+          accounts.add("Omar", WebTestServer.PASSWORD_HASH, Role.CLERK, "Max").orElseThrow().id();
+      try (ApiClient clara = api.as("Clara", WebTestServer.PASSWORD);
+          ExecutorService senders = Executors.newVirtualThreadPerTaskExecutor()) {
+        CountDownLatch some = new CountDownLatch(SENDERS);
+        List<Future<Integer>> refusals = new ArrayList<>();
+        for (int i = 0; i < SENDERS; i++) {
+          refusals.add(senders.submit(() -> orderUntilRefused(clara, some)));
+        }
+        some.await();
+        Reply deleted =
+            api.delete(
+                "users/"
+                    + clerk
+                    + "?tasks="
+                    + choice
+                    + "&schedules=remove&tokens=remove&to="
+                    + heir);
+
+        assertEquals(204, deleted.status(), () -> deleted.body().toString());
+        for (Future<Integer> refusal : refusals) {
+          assertEquals(401, refusal.get(1, TimeUnit.MINUTES), "as if not logged in");
+        }
+      }
+      assertEquals(0, api.get("tasks?state=open&user=Clara").size(), choice);
+      assertEquals(0, api.get("schedules").size());
+      for (JsonNode task : api.get("tasks?state=open&user=Omar&limit=200")) {
+        assertTrue(
+            api.replyTo("tasks/" + task.get("id").asLong() + "/cancel", Map.of()).isAccepted());
+      }
+      api.delete("users/" + heir + "?tasks=cancel");
+    }
+  }
+
+  private static int orderUntilRefused(ApiClient clara, CountDownLatch some) throws Exception {
+    Map<String, Object> order =
+        Map.of(
+            "name",
+            "Box",
+            "load",
+            2,
+            "start",
+            station("Goods-in 1"),
+            "goal",
+            station("Goods-in 2"));
+    int status = 201;
+    while (status == 201 || status == 429) {
+      status = clara.replyTo("tasks", order).status();
+      some.countDown();
+    }
+    return status;
   }
 
   @Test
@@ -114,12 +195,13 @@ class FloorsOfServerTest {
           assertTrue(api.delete("schedules/" + schedule).isAccepted());
           carryToOffices(toqa, api);
         });
+    storeWorkOfAttic();
     run(
         (toqa, api) -> {
           assertEquals(List.of("lab", "offices", "attic"), names(api.get("floors")));
           assertEquals(2, api.get("map?floor=attic").get("stations").size());
           assertEquals("smooth", api.get("floors/attic").at("/drawing/moves").asString());
-          assertTrue(api.delete("floors/attic").isAccepted());
+          atticIsRemovedWithAllThatIsKeptOfIt(api);
           carryBackToLab(toqa, api);
           assertEquals(409, api.delete("floors/lab").status(), "it has a robot");
         });
@@ -130,7 +212,82 @@ class FloorsOfServerTest {
           assertEquals(List.of("lab", "offices"), names(api.get("floors")));
           api.awaitSnapshot(
               snapshot -> isAt(snapshot, "r1", 1.95, 4.65) && isTrulyAt(toqa, "r1", 1.95, 4.65));
+          addEmptyAttic(api);
+          assertAtticIsNew(api);
         });
+  }
+
+  /** What robots saw there, and a supervision that has ended. */
+  private void storeWorkOfAttic() {
+    try (Database database = Database.open(Database.fileUrl(folder.resolve("toqa")), "", "")) {
+      Instant now = Instant.now();
+      Sighting seen = new Sighting(now.minusSeconds(7200), now, Set.of("r1", "r2"), false);
+      new JdbiSightingStore(database.jdbi())
+          .replace(Map.of(new SeenPlaces.Spot("attic", 3150, 3150), seen));
+      SupervisedBox box =
+          new SupervisedBox(1, new Vec2(2, 2), new Vec2(3, 3), null, null, 1, false);
+      new JdbiSupervisionStore(database.jdbi())
+          .save(
+              new Supervision(
+                  "attic",
+                  "run",
+                  "r1",
+                  List.of("r2"),
+                  true,
+                  "Max",
+                  Supervision.State.STOPPED,
+                  now,
+                  now,
+                  0,
+                  Map.of(1, box),
+                  ""),
+              List.of());
+    }
+  }
+
+  private static void atticIsRemovedWithAllThatIsKeptOfIt(ApiClient api) throws Exception {
+    assertEquals(1, api.get("floors/attic/seen").size());
+    assertEquals("STOPPED", api.get("floors/attic/supervision").get("state").asString());
+    Map<String, Object> order =
+        Map.of(
+            "ground", "floor:offices",
+            "start", Map.of("x", 13.35, "y", 6.45),
+            "target", Map.of("x", 0.75, "y", 4.05));
+    api.post("floors/attic/exploration", order);
+    assertRefused("explored", api.delete("floors/attic"));
+    api.post("floors/attic/exploration/stop", Map.of());
+    Map<String, Object> watching =
+        Map.of("name", "Hatch", "url", "http://127.0.0.1:1/", "floor", "attic");
+    long camera = api.post("cameras", watching).get("id").asLong();
+    assertRefused("Cameras watch", api.delete("floors/attic"));
+    assertTrue(api.delete("cameras/" + camera).isAccepted());
+    Map<String, Object> task =
+        Map.of("floor", "attic", "load", 2, "start", station("Hatch"), "goal", station("Window"));
+    long template = api.post("templates", Map.of("name", "Post", "order", task)).get("id").asLong();
+    assertRefused("Templates of tasks", api.delete("floors/attic"));
+    assertTrue(api.delete("templates/" + template).isAccepted());
+
+    assertTrue(api.delete("floors/attic").isAccepted());
+    addEmptyAttic(api);
+    assertAtticIsNew(api);
+    assertTrue(api.get("history?floor=attic").toString().contains("exploration.began"), "it stays");
+    assertTrue(api.delete("floors/attic").isAccepted());
+  }
+
+  private static void assertRefused(String why, Reply reply) {
+    assertEquals(409, reply.status());
+    assertTrue(reply.body().get("detail").asString().contains(why), reply.body()::toString);
+  }
+
+  private static void addEmptyAttic(ApiClient api) throws Exception {
+    api.post("floors", Map.of("name", "attic", "width", 6, "height", 6, "resolution", 0.3));
+  }
+
+  private static void assertAtticIsNew(ApiClient api) throws Exception {
+    assertEquals(0, api.get("floors/attic/seen").size());
+    for (String last : List.of("supervision", "exploration")) {
+      assertEquals(404, api.replyTo("floors/attic/" + last).status(), last);
+    }
   }
 
   /** Out of service, it is put where another one stands, and then where it can stand. */
