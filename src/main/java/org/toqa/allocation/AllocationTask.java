@@ -56,6 +56,11 @@ public record AllocationTask(
         id, load, start, goal, waitsFrom, isForOmnidirectional, onlyRobots, between, one);
   }
 
+  /** Whether a robot only goes there, with nothing to carry. */
+  boolean isDrive() {
+    return load == 0;
+  }
+
   /** Whether the robot may carry it, alone or with others. */
   public boolean allows(String robot) {
     return onlyRobots.isEmpty() || onlyRobots.contains(robot);

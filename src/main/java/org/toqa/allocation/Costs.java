@@ -90,8 +90,7 @@ final class Costs implements Quotes {
       return Quote.impossible(approach, Impediment.TOO_WEAK, Phrase.IS_TOO_WEAK.with());
     }
     if (Double.isInfinite(approach + carried)) {
-      return Quote.impossible(
-          approach, Impediment.NO_PATH, Phrase.FINDS_NO_WAY.with(robot.diameter()));
+      return Quote.impossible(approach, Impediment.NO_PATH, noWay(task).with(robot.diameter()));
     }
     double charge = robot.battery() == null ? 1 : robot.battery();
     double used =
@@ -108,6 +107,10 @@ final class Costs implements Quotes {
     double joules =
         Energy.joules(metres, 0) + slowness(robot) * Energy.joules(carried, task.load());
     return Quote.possible(approach, joules);
+  }
+
+  private static Phrase noWay(AllocationTask task) {
+    return task.isDrive() ? Phrase.FINDS_NO_WAY_TO_DRIVE : Phrase.FINDS_NO_WAY;
   }
 
   private static Sentence lowBattery(Candidate robot) {

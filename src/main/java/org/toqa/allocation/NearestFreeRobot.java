@@ -26,6 +26,7 @@ public final class NearestFreeRobot implements Allocator {
   }
 
   private static Sentence reason(Candidate robot, AllocationTask task) {
-    return Phrase.NEAREST_FREE.with(robot.position().distanceTo(task.start()));
+    Phrase nearest = task.isDrive() ? Phrase.NEAREST_FREE_FOR_DRIVE : Phrase.NEAREST_FREE;
+    return nearest.with(robot.position().distanceTo(task.start()));
   }
 }

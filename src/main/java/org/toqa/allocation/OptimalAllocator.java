@@ -59,8 +59,10 @@ public final class OptimalAllocator implements Allocator {
       Optional<String> holder = table.holder(task);
       Candidate chosen = table.robot(robot);
       if (!holder.equals(Optional.of(chosen.robot()))) {
+        Phrase phrase =
+            table.task(task).isDrive() ? Phrase.LEAST_ENERGY_FOR_DRIVE : Phrase.LEAST_ENERGY;
         Sentence least =
-            Phrase.LEAST_ENERGY.with(
+            phrase.with(
                 table.quote(task, robot).approach(),
                 problem.waiting().size(),
                 problem.freeRobots().size());

@@ -86,7 +86,8 @@ public final class WaitExplainer {
       Phrase phrase = robots.size() == 1 ? Phrase.ONLY_ROBOT : Phrase.ONLY_STRONG_ROBOT;
       return phrase.with(only.robot(), whatKeeps(task, only));
     }
-    return Phrase.NONE_OF_STRONG_ROBOTS.with(
+    Phrase none = task.isDrive() ? Phrase.NONE_OF_ROBOTS_FOR_DRIVE : Phrase.NONE_OF_STRONG_ROBOTS;
+    return none.with(
         strong.size(),
         Sentence.joined(
             Phrase.LISTED, strong.size() <= NAMED ? named(task, strong) : counted(strong)));

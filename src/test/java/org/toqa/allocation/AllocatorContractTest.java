@@ -370,16 +370,18 @@ class AllocatorContractTest {
   @ParameterizedTest
   @MethodSource("allocators")
   void ofManyRobotsThoseThatAreKeptAreCounted(Allocator allocator) {
+    Candidate[] robots = {
+      busy("r1", 5, 1, 7),
+      busy("r2", 5, 2, 8),
+      robot("r3", 5, 3, Availability.LOST, null),
+      robot("r4", 5, 3, Availability.OUT_OF_SERVICE, null)
+    };
+    String kept = ": 2 are working on other tasks, 1 is out of service, 1 is lost.";
     assertEquals(
-        "None of the 4 robots that are strong enough can take it now:"
-            + " 2 are working on other tasks, 1 is out of service, 1 is lost.",
-        why(
-            allocator,
-            1,
-            busy("r1", 5, 1, 7),
-            busy("r2", 5, 2, 8),
-            robot("r3", 5, 3, Availability.LOST, null),
-            robot("r4", 5, 3, Availability.OUT_OF_SERVICE, null)));
+        "None of the 4 robots that are strong enough can take it now" + kept,
+        why(allocator, 1, robots));
+    assertEquals(
+        "None of the 4 robots that may drive there can go now" + kept, why(allocator, 0, robots));
   }
 
   /** What the only task waits for. */
