@@ -15,8 +15,8 @@ import org.toqa.geometry.Vec2;
  * for, and are few where it bends evenly.
  */
 public final class BiarcFitter {
-  /** Metres; half of what is promised, as the distance is measured at points. */
-  private static final double TOLERANCE = 0.0005;
+  /** Metres that segments may be beside the curve, where nobody said otherwise. */
+  public static final double USUAL_TOLERANCE = 0.001;
 
   /** Points of a part that are looked at, and of each unit of its parameter. */
   private static final int PROBES = 16;
@@ -35,8 +35,19 @@ public final class BiarcFitter {
 
   private final DriveSpeeds speeds;
 
+  /** Metres; half of what is promised, as the distance is measured at points. */
+  private final double tolerance;
+
   public BiarcFitter(DriveSpeeds speeds) {
+    this(speeds, USUAL_TOLERANCE);
+  }
+
+  /**
+   * @param tolerance metres that segments may be beside the curve, above 0
+   */
+  public BiarcFitter(DriveSpeeds speeds, double tolerance) {
     this.speeds = speeds;
+    this.tolerance = tolerance / 2;
   }
 
   /** One arc, by how it begins. */
@@ -118,7 +129,7 @@ public final class BiarcFitter {
     return sum.times(0.5);
   }
 
-  private static boolean isFar(PlaneCurve curve, double from, double to, Arc first, Arc second) {
+  private boolean isFar(PlaneCurve curve, double from, double to, Arc first, Arc second) {
     double units = to - from;
     if (units > 1 && (isLarge(first) || isLarge(second))) {
       return true;
@@ -132,11 +143,11 @@ public final class BiarcFitter {
     return !(Math.abs(arc.length() * arc.curvature()) <= LARGEST_ARC); // also where there is none
   }
 
-  private static boolean isFar(
+  private boolean isFar(
       PlaneCurve curve, double from, double to, Arc first, Arc second, int probes) {
     for (int i = 1; i < probes; i++) {
       Vec2 point = curve.position(from + (to - from) * i / probes);
-      if (!(Math.min(distance(first, point), distance(second, point)) <= TOLERANCE)) {
+      if (!(Math.min(distance(first, point), distance(second, point)) <= tolerance)) {
         return true;
       }
     }

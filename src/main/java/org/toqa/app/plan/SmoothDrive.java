@@ -1,5 +1,6 @@
 package org.toqa.app.plan;
 
+import java.util.List;
 import org.jspecify.annotations.Nullable;
 import org.toqa.geometry.Pose;
 import org.toqa.geometry.Vec2;
@@ -35,8 +36,14 @@ record SmoothDrive(
     WheelSchedule schedule,
     @Nullable PolynomialCurve polynomial) {
 
-  /** Metres between points of the curve that are drawn or printed. */
-  static final double APART = 0.01;
+  /** Metres between points of the curve that are drawn or printed, at most. */
+  private static final double APART = 0.01;
+
+  /** Cells between them, at most: no wall is between two of them. */
+  private static final double CELLS_APART = 0.5;
+
+  /** Cells that segments may be beside the curve, at most. */
+  private static final double CELLS_BESIDE = 0.02;
 
   /**
    * Fits the curve and plans its speeds.
@@ -51,7 +58,9 @@ record SmoothDrive(
     for (CubicSpline piece : curve.pieces()) {
       last = piece.velocity(piece.end()).angle();
     }
-    Trajectory fitted = new BiarcFitter(DriveSpeeds.DEFAULT).fit(heading, curve.pieces());
+    double cell = floor.grid().resolution();
+    double beside = Math.min(BiarcFitter.USUAL_TOLERANCE, CELLS_BESIDE * cell);
+    Trajectory fitted = new BiarcFitter(DriveSpeeds.DEFAULT, beside).fit(heading, curve.pieces());
     Vec2 from = path.points().getFirst();
     return new SmoothDrive(
         floor,
@@ -60,6 +69,11 @@ record SmoothDrive(
         new Trajectory(new Pose(from.x(), from.y(), heading), fitted.segments()),
         WheelSchedule.of(heading, curve.pieces(), last, DifferentialLimits.DEFAULT),
         new PolynomialFitter(space).fit(path.points()).orElse(null));
+  }
+
+  /** Points of the curve, to be drawn or printed. */
+  List<Vec2> points() {
+    return curve.points(Math.min(APART, CELLS_APART * floor.grid().resolution()));
   }
 
   /** Between curves; one at the start is not counted. */

@@ -47,9 +47,7 @@ record SmoothJson(
             drive.curve().maxCurvature(),
             drive.turnsOnSpot(),
             drive.trajectory().start(),
-            drive.curve().points(SmoothDrive.APART).stream()
-                .map(point -> new double[] {point.x(), point.y()})
-                .toList(),
+            drive.points().stream().map(point -> new double[] {point.x(), point.y()}).toList(),
             drive.trajectory().segments(),
             drive.schedule().commands(),
             drive.polynomial()));

@@ -69,7 +69,7 @@ final class SmoothSvg {
   }
 
   private String curve() {
-    List<Vec2> points = drive.curve().points(SmoothDrive.APART);
+    List<Vec2> points = drive.points();
     return points.stream()
         .map(shapes::toPicture)
         .map(p -> number(p.x()) + " " + number(p.y()))

@@ -10,6 +10,7 @@ import java.io.StringReader;
 import java.io.StringWriter;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import javax.xml.parsers.DocumentBuilderFactory;
@@ -18,6 +19,9 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.toqa.geometry.Pose;
+import org.toqa.geometry.Twist;
+import org.toqa.geometry.Vec2;
 import org.w3c.dom.Document;
 import org.w3c.dom.Element;
 import org.w3c.dom.NodeList;
@@ -121,6 +125,69 @@ class PlanCommandTest {
       assertTrue(Math.abs(sample.path("left").path("speed").doubleValue()) <= 0.52);
       assertTrue(sample.path("right").path("amplitude").intValue() <= 255);
     }
+  }
+
+  /** The same floor, a thousand times smaller. */
+  @Test
+  void smoothMovesKeepOffWallsOfMillimetres() throws IOException {
+    String map = "map.yaml";
+    Files.writeString(
+        folder.resolve(map),
+        """
+        image: map.pgm
+        resolution: 0.001
+        origin: [0, 0, 0]
+        negate: 0
+        occupied_thresh: 0.65
+        free_thresh: 0.196
+        """);
+    Files.writeString(
+        folder.resolve("map.pgm"),
+        """
+        P2 5 3 255
+        255 255 255 0 0
+        0 0 255 255 255
+        255 255 255 255 0
+        """);
+    List<Vec2> walls =
+        List.of(cell(3, 2), cell(4, 2), cell(0, 1), cell(1, 1), cell(4, 0)); // row 0 below
+
+    assertEquals(
+        0,
+        run(
+            map,
+            "--from 0.0005,0.0005,90 --to 0.0045,0.0015 --moves smooth --margin 0.4 --format json"));
+
+    JsonNode json = JsonMapper.shared().readTree(out.toString());
+    JsonNode start = json.path("start");
+    Pose pose =
+        new Pose(
+            start.path("x").doubleValue(),
+            start.path("y").doubleValue(),
+            start.path("theta").doubleValue());
+    for (JsonNode segment : json.path("segments")) {
+      Twist twist = new Twist(segment.path("v").doubleValue(), 0, segment.path("w").doubleValue());
+      double part = segment.path("t").doubleValue() / 50;
+      for (int i = 0; i < 50; i++) {
+        pose = pose.advanced(twist, part);
+        Vec2 there = pose.position();
+        double nearest =
+            walls.stream().mapToDouble(wall -> distance(there, wall)).min().orElseThrow();
+        assertTrue(nearest > 0.000379, () -> there + " is too near to a wall"); // 0.4 of a cell
+      }
+    }
+    assertEquals(0, pose.position().distanceTo(new Vec2(0.0045, 0.0015)), 0.00003);
+  }
+
+  /** Its lower left corner, metres. */
+  private static Vec2 cell(int column, int rowFromBelow) {
+    return new Vec2(0.001 * column, 0.001 * rowFromBelow);
+  }
+
+  private static double distance(Vec2 point, Vec2 corner) {
+    double x = Math.clamp(point.x(), corner.x(), corner.x() + 0.001);
+    double y = Math.clamp(point.y(), corner.y(), corner.y() + 0.001);
+    return point.distanceTo(new Vec2(x, y));
   }
 
   @Test
@@ -274,7 +341,11 @@ class PlanCommandTest {
   }
 
   private int run(String arguments) {
-    String[] words = ("--map " + folder.resolve("small.map") + " " + arguments).split(" +");
+    return run("small.map", arguments);
+  }
+
+  private int run(String map, String arguments) {
+    String[] words = ("--map " + folder.resolve(map) + " " + arguments).split(" +");
     return new CommandLine(new PlanCommand())
         .setOut(new PrintWriter(out, true))
         .setErr(new PrintWriter(err, true))
