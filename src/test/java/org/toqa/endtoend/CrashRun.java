@@ -316,7 +316,7 @@ final class CrashRun {
   }
 
   private List<JsonNode> schedules() throws Exception {
-    return site.server.await("schedules?limit=500", schedules -> true).valueStream().toList();
+    return site.server.await("schedules", schedules -> true).valueStream().toList();
   }
 
   private List<String> scheduledTasks() throws Exception {

@@ -52,6 +52,7 @@ import org.toqa.web.api.OrdersResource;
 import org.toqa.web.api.PasswordResetResource;
 import org.toqa.web.api.PathResource;
 import org.toqa.web.api.ProblemHandler;
+import org.toqa.web.api.QueryCheck;
 import org.toqa.web.api.ReadingsResource;
 import org.toqa.web.api.RobotResource;
 import org.toqa.web.api.RobotsResource;
@@ -437,8 +438,15 @@ public final class Routes {
   }
 
   private static Route route(String method, String path, Permission permission, Handler handler) {
-    Handler answering = RequestPath.isApi(path) ? new ProblemHandler(handler) : handler;
-    return new Route(method, path, permission, scope(method, path), answering, Set.of());
+    return new Route(
+        method, path, permission, scope(method, path), answering(method, path, handler), Set.of());
+  }
+
+  private static Handler answering(String method, String path, Handler handler) {
+    if (!RequestPath.isApi(path)) {
+      return handler;
+    }
+    return new ProblemHandler(method.equals("GET") ? new QueryCheck(path, handler) : handler);
   }
 
   /** What a token must have for a call; null for pages, and for the end of the token itself. */

@@ -32,6 +32,15 @@ class ApiTasksTest extends ApiTestServer {
     assertEquals("2", open.headers().firstValue("X-Total-Count").orElseThrow());
     assertEquals("c", JSON.readTree(open.body()).get(0).get("name").stringValue());
     assertEquals(2, JSON.readTree(get("api/v1/tasks?state=DONE").body()).get(0).get("id").asInt());
+    HttpResponse<String> misspelt = get("api/v1/tasks?stat=open&limit=1");
+    assertEquals(400, misspelt.statusCode());
+    assertEquals(
+        "There is no parameter stat here. There are floor, followed, from, limit, offset, robot,"
+            + " sort, state, text, until, user.",
+        detail(misspelt));
+    assertEquals(
+        "There is no parameter role here: nothing follows the address.",
+        detail(get("api/v1/users?role=CLERK")));
     HttpResponse<String> wrong = get("api/v1/tasks?state=new&sort=x&until=soon");
     assertEquals(422, wrong.statusCode());
     assertEquals(3, JSON.readTree(wrong.body()).get("errors").size());
