@@ -216,6 +216,29 @@ class FleetStopTest extends HallFleetTest {
     until(view -> task(view, task).state() == TaskState.DONE);
   }
 
+  @Test
+  void aGroupWhoseFollowerDoesNotFollowSaysSo() throws Exception {
+    reopenWith("r2", EAST, "P2");
+    until(view -> view.robots().stream().allMatch(r -> r.state() == RobotState.IDLE));
+    scriptedRobot("r1").stay();
+    scriptedRobot("r2").stay();
+    long task =
+        submit(
+            new TaskOrder(
+                "box",
+                8,
+                new TaskOrder.Where.Point(new Vec2(7, 1.5)),
+                new TaskOrder.Where.Point(new Vec2(12, 1.5)),
+                null,
+                0,
+                null,
+                null));
+    until(view -> task(view, task).state() == TaskState.CARRYING);
+    stage.pass(A_WHILE);
+
+    until(view -> waitReason(view, task).contains("with the load: look what stops r"));
+  }
+
   private boolean hasFollow(String robot) {
     return scriptedRobot(robot).obeyed().stream().anyMatch(ServerMessage.Follow.class::isInstance);
   }

@@ -43,6 +43,9 @@ final class ScriptedCondition {
   /** Whether it does not hear that the formation which it follows has ended. */
   boolean missesEnd;
 
+  /** It is told to follow, and does not. */
+  boolean stays;
+
   /** Whether it needs room beside its path, or has it. */
   RoomUse roomUse = RoomUse.NONE;
 

@@ -210,6 +210,11 @@ public final class ScriptedRobot {
     condition.missesEnd = true;
   }
 
+  /** From now on it follows nobody. */
+  synchronized void stay() {
+    condition.stays = true;
+  }
+
   /** As one does whose stops have just changed. */
   synchronized void refuseToClear() {
     condition.refusesClear = true;
@@ -415,8 +420,10 @@ public final class ScriptedRobot {
     switch (command) {
       case Lead l -> formation.lead(l);
       case Follow f -> {
-        formation.follow(f);
-        drive.follow(f);
+        if (!condition.stays) {
+          formation.follow(f);
+          drive.follow(f);
+        }
       }
       case Act a -> {
         act = a;

@@ -29,6 +29,9 @@ final class DriveDispatcher {
   /** A follower whose leader has ended says by then that it has ended too. */
   private static final Duration LEFT_BEHIND_PATIENCE = Duration.ofSeconds(2);
 
+  /** Robots that have picked a load up together have set out by then. */
+  private static final Duration UNFOLLOWED_PATIENCE = Duration.ofSeconds(3);
+
   private final FloorState state;
   private final FloorMissions missions;
   private final ArmDispatcher arms;
@@ -89,8 +92,11 @@ final class DriveDispatcher {
         && state.traffic.isAtGoal(robot.name())) {
       arrived(robot, goal);
     }
+    Optional<Sentence> unfollowed = unfollowed(robot);
     if (objection != null) {
       setWaitReason(robot, objection);
+    } else if (unfollowed.isPresent()) {
+      setWaitReason(robot, unfollowed.get());
     } else if (!isWaiting) {
       setWaitReason(robot, goal == null ? null : trafficWaitReason(robot.name()));
     }
@@ -238,6 +244,20 @@ final class DriveDispatcher {
                     !state.formations.isFollowedByAll(mission)
                         || hasEndedPhase(robot.name(), mission))
             .isPresent();
+  }
+
+  /** Whom a leader has waited for a while, whose group picked its load up and does not go on. */
+  private Optional<Sentence> unfollowed(FloorRobot robot) {
+    List<String> missing =
+        state
+            .formations
+            .carryingMission(robot.name())
+            .filter(mission -> robot.isStanding() && !hasEndedPhase(robot.name(), mission))
+            .map(state.formations::notFollowing)
+            .orElse(List.of());
+    return robot.unfollowed.update(!missing.isEmpty(), UNFOLLOWED_PATIENCE, state.now)
+        ? Optional.of(Phrase.WAITS_FOR_FOLLOWERS.with(Sentence.names(missing), robot.name()))
+        : Optional.empty();
   }
 
   /** A follower has no path of its own: it is told its place, and its leader does the rest. */

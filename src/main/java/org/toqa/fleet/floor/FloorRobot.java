@@ -66,6 +66,9 @@ final class FloorRobot {
   /** That it follows, or would, though its leader has ended. */
   final ConditionTimer leftBehind = new ConditionTimer();
 
+  /** While it leads a group, not all of which follow it. */
+  final ConditionTimer unfollowed = new ConditionTimer();
+
   /** Room beside its path. */
   final RoomState room = new RoomState();
 

@@ -252,10 +252,20 @@ final class Formations {
 
   /** Whether every follower was told its place and says that it keeps it. */
   boolean isFollowedByAll(Mission mission) {
+    return notFollowing(mission).isEmpty();
+  }
+
+  /** The followers that do not say so, by name. */
+  List<String> notFollowing(Mission mission) {
     return mission.assignedRobots().stream()
         .skip(1)
-        .map(c -> state.robots.get(c.robot()))
-        .allMatch(r -> r != null && isFollowing(r, mission));
+        .map(AssignedRobot::robot)
+        .filter(
+            name -> {
+              FloorRobot robot = state.robots.get(name);
+              return robot == null || !isFollowing(robot, mission);
+            })
+        .toList();
   }
 
   static boolean isFollowing(FloorRobot robot, Mission mission) {
