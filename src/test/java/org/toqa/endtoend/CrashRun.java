@@ -13,6 +13,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ExecutionException;
+import java.util.concurrent.FutureTask;
 import java.util.concurrent.TimeUnit;
 import java.util.function.BiConsumer;
 import org.toqa.endtoend.WorkLedger.Answer;
@@ -82,13 +83,7 @@ final class CrashRun {
                 .replyToTable("tasks/import", plan.imported().table(table, LINES_OF_IMPORT), table);
         TimeUnit.MILLISECONDS.sleep(step.fault().millisIntoImport());
       }
-      step.fault().inject(site);
-      try {
-        perform(step.during());
-        TimeUnit.MILLISECONDS.sleep(step.fault().durationMillis());
-      } finally {
-        step.fault().clear(site);
-      }
+      endure(step);
       if (published != null) {
         Answer told = answer(published, false);
         assertFalse(told == Answer.REFUSED, "a good map was refused");
@@ -111,6 +106,40 @@ final class CrashRun {
     ledger.judge(kept(), scheduledTasks());
     maps.judge();
     site.truth().endRun();
+  }
+
+  /** The fault from its beginning to its end, with what people want meanwhile. */
+  private void endure(CrashPlan.Step step) throws Exception {
+    Fault fault = step.fault();
+    fault.inject(site);
+    FutureTask<Void> work =
+        new FutureTask<>(
+            () -> {
+              perform(step.during());
+              return null;
+            });
+    try {
+      Thread.startVirtualThread(work); // nothing else is done by the ledger until it has ended
+      TimeUnit.MILLISECONDS.sleep(fault.durationMillis());
+      if (fault.isUntilAnswered()) {
+        await(work);
+      }
+    } finally {
+      fault.clear(site);
+    }
+    await(work);
+  }
+
+  private static void await(FutureTask<Void> work) throws Exception {
+    try {
+      work.get(TIMEOUT.toSeconds(), TimeUnit.SECONDS);
+    } catch (ExecutionException e) {
+      switch (e.getCause()) {
+        case Exception failure -> throw failure;
+        case Error failure -> throw failure;
+        case null, default -> throw e;
+      }
+    }
   }
 
   private Optional<ActiveHold> begin(Work work) throws Exception {

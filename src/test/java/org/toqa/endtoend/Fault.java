@@ -13,7 +13,7 @@ import org.toqa.testbed.FaultyTcpProxy;
  * Something that goes wrong at a {@link CrashTestbed}, and is mended.
  *
  * @param delayMillis milliseconds from the one before
- * @param durationMillis milliseconds until it is mended
+ * @param durationMillis milliseconds until it is mended, at least
  * @param bytes after so many a connection is cut
  */
 record Fault(Kind kind, int victim, int delayMillis, int durationMillis, int bytes) {
@@ -58,6 +58,14 @@ record Fault(Kind kind, int victim, int delayMillis, int durationMillis, int byt
   /** How long after an import has begun; a cut that counts the import's bytes comes first. */
   int millisIntoImport() {
     return kind == Kind.DATABASE_CUT ? 0 : bytes % MAX_IMPORT_MS;
+  }
+
+  /**
+   * Whether it lasts until people are answered: every second database is away for longer than
+   * anybody waits for it. The others answer again while somebody waits, or their server is killed.
+   */
+  boolean isUntilAnswered() {
+    return (kind == Kind.DATABASE_CUT || kind == Kind.DATABASE_SILENT) && victim == 0;
   }
 
   /** Begins it. */
