@@ -92,8 +92,7 @@ final class CrashTestbed implements AutoCloseable {
   }
 
   private static String map() throws URISyntaxException {
-    return Path.of(
-            Objects.requireNonNull(CrashTestbed.class.getResource(FLOOR + ".yaml")).toURI())
+    return Path.of(Objects.requireNonNull(CrashTestbed.class.getResource(FLOOR + ".yaml")).toURI())
         .toString();
   }
 
