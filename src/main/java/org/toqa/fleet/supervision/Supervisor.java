@@ -196,6 +196,15 @@ public final class Supervisor implements FloorListener, AutoCloseable {
     return Optional.ofNullable(latest.get(floor));
   }
 
+  /** The names of the floors on which one works that this user began, in their order. */
+  public List<String> floorsOf(String user) {
+    return latest.values().stream()
+        .filter(each -> each.isRunning() && each.user().equals(user))
+        .map(Supervision::floor)
+        .sorted()
+        .toList();
+  }
+
   /** What a person must look at; empty: nothing. */
   public Optional<Sentence> warning() {
     return reports.values().stream()

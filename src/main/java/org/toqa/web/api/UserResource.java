@@ -4,6 +4,7 @@ import jakarta.servlet.http.HttpServletRequest;
 import jakarta.servlet.http.HttpServletResponse;
 import java.io.IOException;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Optional;
 import org.toqa.accounts.Account;
 import org.toqa.accounts.AccountStore;
@@ -48,11 +49,8 @@ public final class UserResource extends ApiHandler {
     requireVersion(Version.of(user), request);
     FieldErrors errors = new FieldErrors();
     JsonFields fields = JsonBody.read(request, errors);
-    Texts texts = Texts.of(request);
-    if (fields.text("role") == null) {
-      errors.add("role", texts.get("error.role"));
-    }
-    Role role = new InputRules(texts, errors).role("role", fields.text("role"), Caller.of(request));
+    String given = Objects.requireNonNullElse(fields.text("role"), "");
+    Role role = new InputRules(Texts.of(request), errors).role("role", given, Caller.of(request));
     boolean disabled = fields.flag("disabled");
     fields.refuseUnknown();
     throwIfAny(errors);

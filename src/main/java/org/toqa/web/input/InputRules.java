@@ -11,6 +11,7 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.UUID;
 import java.util.regex.Pattern;
+import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 import org.toqa.accounts.PasswordRules;
@@ -494,13 +495,19 @@ public final class InputRules {
     if (given == null) {
       return Role.CLERK;
     }
-    return Stream.of(Role.values())
+    List<Role> possible =
+        Stream.of(Role.values())
+            .filter(role -> role != Role.ADMINISTRATOR || caller.mayMakeAdministrators())
+            .toList();
+    return possible.stream()
         .filter(role -> role.name().equals(given))
-        .filter(role -> role != Role.ADMINISTRATOR || caller.mayMakeAdministrators())
         .findFirst()
         .orElseGet(
             () -> {
-              refuse(field, "error.role");
+              refuse(
+                  field,
+                  "error.role",
+                  possible.stream().map(Role::name).collect(Collectors.joining(", ")));
               return Role.CLERK;
             });
   }

@@ -188,8 +188,12 @@ public final class UserDeletion {
       @Nullable Account heir,
       @Nullable LoadChoice load) {}
 
-  /** Files an error where a choice is missing or wrong. */
+  /** Files an error where a choice is missing or wrong, or a supervisor orders more of his. */
   private Chosen chosen(Caller caller, Choices choices) {
+    List<String> supervised = services.supervisor().floorsOf(user.name());
+    if (!supervised.isEmpty()) {
+      errors.add("form", texts.get("error.delete.supervisor", String.join(", ", supervised)));
+    }
     List<TaskView> tasks = openTasks();
     boolean giveTasks = isHandedOver("tasks", choices.tasks(), "cancel", tasks.size());
     boolean giveSchedules =

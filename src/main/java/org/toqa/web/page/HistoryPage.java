@@ -18,7 +18,17 @@ public final class HistoryPage extends PageHandler {
   private static final int PAGE_SIZE = 100;
   private static final List<String> FAMILIES =
       List.of(
-          "task", "schedule", "robot", "fleet", "floor", "traffic", "supervision", "exploration");
+          "task",
+          "schedule",
+          "template",
+          "robot",
+          "fleet",
+          "floor",
+          "traffic",
+          "supervision",
+          "exploration",
+          "camera",
+          "network");
   private static final List<String> OF_MANAGERS = List.of("user", "notice");
   private static final String SITES = "site";
 

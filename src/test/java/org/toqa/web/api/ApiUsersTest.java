@@ -44,7 +44,7 @@ class ApiUsersTest extends ApiTestServer {
         "{\"name\":\"Omar\",\"password\":\"short\"}|422|at least 10 characters",
         "{\"name\":\"Omar\",\"password\":\"password123\"}|422|This password is easy to guess",
         "{\"name\":\"Omarovich\",\"password\":\"omarovich1\"}|422|This password is easy to guess",
-        "{\"name\":\"Omar\",\"password\":\"a long good one\",\"role\":\"KING\"}|422|VIEWER, CLERK, OPERATOR or MANAGER",
+        "{\"name\":\"Omar\",\"password\":\"a long good one\",\"role\":\"KING\"}|422|one of VIEWER, CLERK, OPERATOR, MANAGER",
         "{\"name\":\"MAX\",\"password\":\"a long good one\"}|409|This name is already in use",
         "{\"name\":\"Omar\",\"password\":\"a long good one\",\"boss\":1}|422|boss"
       })

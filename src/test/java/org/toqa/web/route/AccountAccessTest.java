@@ -9,6 +9,7 @@ import java.net.http.HttpResponse;
 import java.util.Map;
 import org.junit.jupiter.api.Test;
 import org.toqa.accounts.Role;
+import org.toqa.fleet.EventKind;
 import org.toqa.fleet.EventRecord;
 import org.toqa.web.TestClient;
 import org.toqa.web.WebServerTest;
@@ -83,6 +84,17 @@ class AccountAccessTest extends WebServerTest {
     assertTrue(manager.get("history?kind=user").body().contains("added user Secret"));
     assertFalse(clerk.get("history").body().contains("added user Secret"));
     assertFalse(clerk.get("history?kind=user").body().contains("added user Secret"));
+  }
+
+  /** But for sites, which are the administrators' alone. */
+  @Test
+  void everyKindOfEventCanBeChosenInTheHistory() {
+    String page = manager.get("history").body();
+    for (EventKind kind : EventKind.values()) {
+      String family = kind.text().split("\\.")[0];
+      assertTrue(
+          family.equals("site") || page.contains("<option value=\"" + family + "\""), family);
+    }
   }
 
   @Test

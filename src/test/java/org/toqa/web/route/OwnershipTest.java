@@ -12,7 +12,14 @@ import org.junit.jupiter.api.Test;
 import org.toqa.accounts.Account;
 import org.toqa.accounts.Role;
 import org.toqa.fleet.EventRecord;
+import org.toqa.fleet.RobotState;
+import org.toqa.fleet.RobotView;
+import org.toqa.fleet.supervision.SupervisionOrder;
+import org.toqa.geometry.Pose;
+import org.toqa.geometry.Vec2;
 import org.toqa.mission.TaskState;
+import org.toqa.testbed.Hall;
+import org.toqa.web.FleetAnswers;
 import org.toqa.web.TestClient;
 import org.toqa.web.WebServerTest;
 import tools.jackson.databind.JsonNode;
@@ -102,6 +109,28 @@ class OwnershipTest extends WebServerTest {
     assertTrue(server.accounts().account(carla.id()).isEmpty());
   }
 
+  /** Its tasks would be nobody's, and then those of a new user of that name. */
+  @Test
+  void whoseSupervisorWorksIsDeletedWhenItIsStopped() throws Exception {
+    Account carla = addCarla();
+    server
+        .fleet()
+        .setRobots(
+            Hall.withArm(robot("r1", new Pose(1.05, 0.75, 0))),
+            Hall.seeing(robot("r3", new Pose(3.45, 0.75, 0))));
+    SupervisionOrder order =
+        new SupervisionOrder("hall", "r3", List.of("r1"), true, Map.of(1, new Vec2(9, 1.05)));
+    FleetAnswers.await(server.supervisor().start(order, "Carla"));
+
+    HttpResponse<String> refused = delete(carla, "");
+    assertEquals(409, refused.statusCode(), refused.body());
+    assertTrue(refused.body().contains("at work on hall"), refused.body());
+    assertFalse(account("Carla").disabled());
+
+    FleetAnswers.await(server.supervisor().stop("hall", "Max"));
+    assertEquals(204, delete(carla, "").statusCode());
+  }
+
   @Test
   void thePageAsksToo() {
     Account carla = addCarla();
@@ -142,6 +171,10 @@ class OwnershipTest extends WebServerTest {
   private Account addCarla() {
     server.addUser("Carla", null, Role.CLERK);
     return account("Carla");
+  }
+
+  private static RobotView robot(String name, Pose pose) {
+    return Hall.robot(name, RobotState.IDLE, pose, "127.0.0.1", 7275);
   }
 
   private Account account(String name) {
