@@ -19,11 +19,15 @@ import tools.jackson.databind.json.JsonMapper;
 
 /**
  * Answers a question as another handler does, if the API's description has all its parameters: one
- * that was misspelt would be left out of account, and nobody told.
+ * that was misspelt would be left out of account, and nobody told. A question that has none is
+ * answered whatever follows it, as programs that watch the server add a time.
  *
  * @param path as the description has it
  */
 public record QueryCheck(String path, Handler handler) implements Handler {
+
+  /** Of whatever belongs to a floor, also where that is known without it. */
+  private static final String FLOOR = "floor";
 
   /** Of a name that is told again. */
   private static final int LONGEST = 64;
@@ -74,24 +78,22 @@ public record QueryCheck(String path, Handler handler) implements Handler {
   }
 
   /**
-   * @param known null: the path is not described
+   * @param known null: the path is not described; empty: it has no answer but one
    */
   private static void check(HttpServletRequest request, @Nullable Set<String> known) {
+    if (known == null || known.isEmpty()) {
+      return;
+    }
     Optional<String> unknown =
-        known == null
-            ? Optional.empty()
-            : request.getParameterMap().keySet().stream()
-                .filter(name -> !known.contains(name))
-                .sorted()
-                .map(name -> name.substring(0, Math.min(name.length(), LONGEST)))
-                .findFirst();
-    if (known != null && unknown.isPresent()) {
-      Texts texts = Texts.of(request);
+        request.getParameterMap().keySet().stream()
+            .filter(name -> !known.contains(name) && !name.equals(FLOOR))
+            .sorted()
+            .map(name -> name.substring(0, Math.min(name.length(), LONGEST)))
+            .findFirst();
+    if (unknown.isPresent()) {
       throw Problem.of(
               400,
-              known.isEmpty()
-                  ? texts.get("problem.noParameters", unknown.get())
-                  : texts.get("problem.parameter", unknown.get(), String.join(", ", known)))
+              Texts.of(request).get("problem.parameter", unknown.get(), String.join(", ", known)))
           .exception();
     }
   }
