@@ -7,7 +7,7 @@ import static org.junit.jupiter.api.Assertions.fail;
 
 import java.nio.file.Path;
 import java.time.Duration;
-import java.time.Instant;
+import java.time.InstantSource;
 import java.util.List;
 import java.util.UUID;
 import java.util.concurrent.atomic.AtomicReference;
@@ -31,20 +31,19 @@ import org.toqa.fleet.TaskView;
 import org.toqa.grid.FloorReader;
 import org.toqa.mission.OrderPart;
 import org.toqa.persistence.StoreException;
+import org.toqa.store.JdbiAccountStore;
 import org.toqa.store.JdbiOrderArchive;
 
 /** A task that was accepted is never withdrawn, whatever became of its first submission. */
 @Timeout(120)
 class AcceptedTaskTest {
-  private static final Account CLARA =
-      new Account(7, "clara", null, "hash", Role.CLERK, false, Instant.EPOCH);
-  private static final UUID KEY = IdempotentSubmitter.idempotencyKey(CLARA, "a");
-
   /** What happens once when tasks have been stored. */
   private final AtomicReference<@Nullable Runnable> afterStored = new AtomicReference<>();
 
   private FleetStage stage;
   private IdempotentSubmitter submitter;
+  private Account clara;
+  private UUID key;
 
   @BeforeEach
   void start() throws Exception {
@@ -69,6 +68,11 @@ class AcceptedTaskTest {
     submitter =
         new IdempotentSubmitter(
             stage.fleet, stage.store, new JdbiOrderArchive(stage.database.jdbi()));
+    clara =
+        new JdbiAccountStore(stage.database.jdbi(), InstantSource.system())
+            .add("clara", "hash", Role.CLERK, "boss")
+            .orElseThrow();
+    key = IdempotentSubmitter.idempotencyKey(clara, "a");
   }
 
   @AfterEach
@@ -104,14 +108,14 @@ class AcceptedTaskTest {
     afterStored.set(this::loseAnswerAndStore);
     PartsOrder order = new PartsOrder("pieces", OrderPart.Kind.PIECES, List.of(order(), order()));
 
-    assertThrows(StoreException.class, () -> submitter.submitOrder(order, CLARA, KEY));
-    assertThrows(StoreException.class, () -> submitter.submitOrder(order, CLARA, KEY));
+    assertThrows(StoreException.class, () -> submitter.submitOrder(order, clara, key));
+    assertThrows(StoreException.class, () -> submitter.submitOrder(order, clara, key));
 
     startStore();
     assertInstanceOf(
-        IdempotentSubmitter.BatchOutcome.Answered.class, submitter.submitOrder(order, CLARA, KEY));
+        IdempotentSubmitter.BatchOutcome.Answered.class, submitter.submitOrder(order, clara, key));
     assertInstanceOf(
-        IdempotentSubmitter.BatchOutcome.Repeated.class, submitter.submitOrder(order, CLARA, KEY));
+        IdempotentSubmitter.BatchOutcome.Repeated.class, submitter.submitOrder(order, clara, key));
     stage.awaitQuiescence();
     assertEquals(2, stage.store.count());
   }
@@ -135,13 +139,13 @@ class AcceptedTaskTest {
           case KeyedAnswer<TaskView> other -> fail("No: " + other);
         };
     stage.awaitQuiescence();
-    assertEquals(task.id(), stage.store.taskByKey(KEY).orElseThrow().id());
+    assertEquals(task.id(), stage.store.taskByKey(key).orElseThrow().id());
     assertInstanceOf(KeyedAnswer.Repeated.class, submit());
     assertEquals(1, stage.store.count());
   }
 
   private KeyedAnswer<TaskView> submit() {
-    return submitter.submit(order(), CLARA, KEY);
+    return submitter.submit(order(), clara, key);
   }
 
   private static TaskOrder order() {

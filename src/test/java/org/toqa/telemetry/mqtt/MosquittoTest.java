@@ -111,12 +111,12 @@ class MosquittoTest {
       former.subscribe("toqa/v1/main/#");
       former.await("toqa/v1/main/robot/r9/state", "IDLE"::equals);
     }
-    main.connect(
-        BrokerAddress.plain("127.0.0.1", broker.port()),
-        OwnMosquitto.SERVER,
-        OwnMosquitto.PASSWORD);
     try (MqttTestClient reader = as("main/reader")) {
-      reader.subscribe("toqa/v1/main/#");
+      reader.subscribe("toqa/v1/main/#"); // before it is cleared, else there is nothing to see
+      main.connect(
+          BrokerAddress.plain("127.0.0.1", broker.port()),
+          OwnMosquitto.SERVER,
+          OwnMosquitto.PASSWORD);
       reader.await("toqa/v1/main/task/7", String::isEmpty);
       reader.await("toqa/v1/main/robot/r9/state", String::isEmpty);
       reader.await(STATE, "IDLE"::equals);
