@@ -120,6 +120,7 @@ final class CrashRun {
             });
     try {
       Thread.startVirtualThread(work); // nothing else is done by the ledger until it has ended
+      // how long it is broken: nothing is waited for
       TimeUnit.MILLISECONDS.sleep(fault.durationMillis());
       if (fault.isUntilAnswered()) {
         await(work);

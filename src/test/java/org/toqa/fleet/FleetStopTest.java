@@ -192,17 +192,7 @@ class FleetStopTest extends HallFleetTest {
   void aFollowerIsToldItsPlaceOnlyWhenThePickUpIsStored() throws Exception {
     reopenWith("r2", EAST, "P2");
     until(view -> view.robots().stream().allMatch(r -> r.state() == RobotState.IDLE));
-    long task =
-        submit(
-            new TaskOrder(
-                "box",
-                8,
-                new TaskOrder.Where.Point(new Vec2(7, 1.5)),
-                new TaskOrder.Where.Point(new Vec2(12, 1.5)),
-                null,
-                0,
-                null,
-                null));
+    long task = submitForTwo();
     until(view -> task(view, task).state() == TaskState.TO_OBJECT);
     stage.stopStoreFor(agent -> agent.startsWith("floor"));
 
@@ -222,21 +212,25 @@ class FleetStopTest extends HallFleetTest {
     until(view -> view.robots().stream().allMatch(r -> r.state() == RobotState.IDLE));
     scriptedRobot("r1").stay();
     scriptedRobot("r2").stay();
-    long task =
-        submit(
-            new TaskOrder(
-                "box",
-                8,
-                new TaskOrder.Where.Point(new Vec2(7, 1.5)),
-                new TaskOrder.Where.Point(new Vec2(12, 1.5)),
-                null,
-                0,
-                null,
-                null));
+    long task = submitForTwo();
     until(view -> task(view, task).state() == TaskState.CARRYING);
     stage.pass(A_WHILE);
 
     until(view -> waitReason(view, task).contains("with the load: look what stops r"));
+  }
+
+  /** A load that is too heavy for one. */
+  private long submitForTwo() throws Exception {
+    return submit(
+        new TaskOrder(
+            "box",
+            8,
+            new TaskOrder.Where.Point(new Vec2(7, 1.5)),
+            new TaskOrder.Where.Point(new Vec2(12, 1.5)),
+            null,
+            0,
+            null,
+            null));
   }
 
   private boolean hasFollow(String robot) {

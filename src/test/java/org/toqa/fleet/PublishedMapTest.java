@@ -11,6 +11,7 @@ import java.util.BitSet;
 import java.util.List;
 import java.util.concurrent.CompletionStage;
 import java.util.concurrent.TimeUnit;
+import java.util.function.Supplier;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -111,42 +112,35 @@ class PublishedMapTest {
 
   @Test
   void robotForAFloorThatIsBeingRemovedIsToldThatThereIsNone() throws Exception {
-    FloorEditing editing = live.fleet.floorEditing();
-    FloorDrawing hall = live.fleet.floors().getFirst().drawing();
-    accepted(editing.addFloor("cellar", FloorDrawing.of(hall.walls()), "Max"));
-    List<CompletionStage<Answer<RobotView>>> robots = new ArrayList<>();
     RobotOrder order = new RobotOrder("r9", "127.0.0.1", 1, 5, null, null, null, "cellar", null);
-    live.floors.setWhileRemoving(() -> robots.add(live.fleet.addRobot(order, "Max")));
-
-    accepted(editing.removeFloor("cellar", "Max"));
-
-    Answer<RobotView> answer = robots.getFirst().toCompletableFuture().get(10, TimeUnit.SECONDS);
-    assertEquals(
-        new Answer.Rejected<>(
-            "floor", Phrase.NO_SUCH_FLOOR_BUT.with("cellar", Sentence.names(List.of("hall")))),
-        answer);
+    assertNoCellar(() -> live.fleet.addRobot(order, "Max"));
   }
 
   @Test
   void robotForAFloorThatIsBeingRemovedStaysWhereItIs() throws Exception {
-    FloorEditing editing = live.fleet.floorEditing();
-    FloorDrawing hall = live.fleet.floors().getFirst().drawing();
-    accepted(editing.addFloor("cellar", FloorDrawing.of(hall.walls()), "Max"));
     accepted(live.fleet.takeOutOfService("r2", "Max"));
-    List<CompletionStage<Answer<RobotView>>> moves = new ArrayList<>();
     RobotMove move = new RobotMove("cellar", new Pose(3, 2.1, 0));
-    live.floors.setWhileRemoving(() -> moves.add(live.fleet.moveRobot("r2", move, "Max")));
-
-    accepted(editing.removeFloor("cellar", "Max"));
-
-    Answer<RobotView> answer = moves.getFirst().toCompletableFuture().get(10, TimeUnit.SECONDS);
-    assertEquals(
-        new Answer.Rejected<>(
-            "floor", Phrase.NO_SUCH_FLOOR_BUT.with("cellar", Sentence.names(List.of("hall")))),
-        answer);
+    assertNoCellar(() -> live.fleet.moveRobot("r2", move, "Max"));
     assertEquals(
         List.of("hall", "hall"), live.store.robots().stream().map(RobotRecord::floor).toList());
     assertEquals("hall", accepted(live.fleet.putInService("r2", "Max")).floor());
+  }
+
+  /** What is asked while a floor is being removed is answered as if it were gone. */
+  private void assertNoCellar(Supplier<CompletionStage<Answer<RobotView>>> question)
+      throws Exception {
+    FloorEditing editing = live.fleet.floorEditing();
+    FloorDrawing hall = live.fleet.floors().getFirst().drawing();
+    accepted(editing.addFloor("cellar", FloorDrawing.of(hall.walls()), "Max"));
+    List<CompletionStage<Answer<RobotView>>> answers = new ArrayList<>();
+    live.floors.setWhileRemoving(() -> answers.add(question.get()));
+
+    accepted(editing.removeFloor("cellar", "Max"));
+
+    assertEquals(
+        new Answer.Rejected<>(
+            "floor", Phrase.NO_SUCH_FLOOR_BUT.with("cellar", Sentence.names(List.of("hall")))),
+        answers.getFirst().toCompletableFuture().get(10, TimeUnit.SECONDS));
   }
 
   private static <T> String refused(CompletionStage<Answer<T>> answer) throws Exception {
