@@ -28,6 +28,7 @@ export class Hand {
   #lease; // undefined: this page does not drive it
   #number = 0;
   #pressed = new Set(); // ways
+  #isTaking = false;
   #isRunning = false;
   #wake = () => {};
 
@@ -102,8 +103,14 @@ export class Hand {
   }
 
   async #take() {
+    if (this.#isTaking) {
+      return; // of two clicks the second would be told that the first drives it
+    }
+    this.#isTaking = true;
     this.#say('');
-    if (await this.#order(0, 0)) {
+    const isTaken = await this.#order(0, 0);
+    this.#isTaking = false;
+    if (isTaken) {
       this.#show();
       this.$('[data-way="forward"]').focus();
       this.#keepOn();

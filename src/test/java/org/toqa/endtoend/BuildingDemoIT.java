@@ -68,23 +68,7 @@ class BuildingDemoIT extends BrowserTest {
             snapshot -> areAllDone(snapshot.get("tasks")) && isSecondRobotFree(snapshot));
       }
 
-      button(page, "Drive by hand").click();
-      String before = page.locator("#pose").textContent();
-      Locator left = button(page, "Turn left");
-      left.hover();
-      page.mouse().down();
-      assertThat(page.locator("#pose")).not().hasText(before);
-      assertThat(page.locator(".heading .state")).hasText("Driving");
-      assertThat(page.locator("main")).containsText("demo drives it by hand");
-      page.mouse().up();
-      assertThat(page.locator(".heading .state")).hasText("Idle");
-      button(page, "Stop driving by hand").click();
-      page.navigate(root + "history?robot=r2"); // at once: what was clicked is done all the same
-      page.waitForCondition(
-          () -> {
-            page.reload();
-            return page.locator("main").textContent().contains("demo stopped driving r2 by hand");
-          });
+      page.waitForCondition(() -> isTurnedByHand(page, root));
 
       demo.terminate();
       // 128 + SIGTERM; a suite in the background hands on that Ctrl-C is ignored
@@ -93,6 +77,48 @@ class BuildingDemoIT extends BrowserTest {
     assertEquals(
         List.of(),
         complaints().stream().filter(c -> !c.startsWith("Failed to load resource")).toList());
+  }
+
+  /**
+   * Turned until it is seen to turn, and left. On a busy machine the robot may not answer in time:
+   * then it is nobody's, and a person begins again.
+   */
+  private static boolean isTurnedByHand(Page page, String root) {
+    page.navigate(root + "robots/r2/control");
+    assertThat(page.locator("#pose")).hasText(Pattern.compile("\\d"));
+    String before = page.locator("#pose").textContent();
+    button(page, "Drive by hand").click();
+    page.locator("#pad:not([hidden]), #hand-says:not([hidden])").first().waitFor();
+    if (page.locator("#pad").isVisible()) {
+      button(page, "Turn left").hover();
+      page.mouse().down();
+      page.waitForCondition(
+          () -> isLeft(page) || !page.locator("#pose").textContent().equals(before));
+      page.waitForCondition(
+          () ->
+              isLeft(page)
+                  || (page.locator(".heading .state").textContent().equals("Driving")
+                      && page.locator("main").textContent().contains("demo drives it by hand")));
+      page.mouse().up();
+      page.waitForCondition(
+          () -> isLeft(page) || page.locator(".heading .state").textContent().equals("Idle"));
+    }
+    if (isLeft(page)) {
+      return false;
+    }
+    button(page, "Stop driving by hand").click();
+    page.navigate(root + "history?robot=r2"); // at once: what was clicked is done all the same
+    page.waitForCondition(
+        () -> {
+          page.reload();
+          return page.locator("main").textContent().contains("demo stopped driving r2 by hand");
+        });
+    return true;
+  }
+
+  /** Whether it was refused, or broken off. */
+  private static boolean isLeft(Page page) {
+    return page.locator("#pad").isHidden();
   }
 
   private static boolean areAllDone(JsonNode tasks) {

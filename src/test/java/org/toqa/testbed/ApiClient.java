@@ -9,6 +9,7 @@ import java.time.Duration;
 import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.Predicate;
 import java.util.stream.Stream;
 import tools.jackson.databind.JsonNode;
@@ -18,6 +19,9 @@ import tools.jackson.databind.json.JsonMapper;
 public final class ApiClient implements AutoCloseable {
   /** When an answer is given up; nothing that a test judges depends on it. */
   private static final Duration LIMIT = Duration.ofMinutes(5);
+
+  /** When what is waited for surely does not come any more. */
+  private static final Duration HANGS_AFTER = Duration.ofMinutes(15);
 
   private static final JsonMapper JSON = JsonMapper.builder().build();
 
@@ -158,16 +162,20 @@ public final class ApiClient implements AutoCloseable {
   /** Reads the live events until one satisfies the condition. */
   public void awaitSnapshot(Predicate<JsonNode> condition)
       throws IOException, InterruptedException {
+    long end = System.nanoTime() + HANGS_AFTER.toNanos();
+    AtomicReference<JsonNode> last = new AtomicReference<>();
     HttpRequest events = request("events").build();
     try (Stream<String> lines = http.send(events, HttpResponse.BodyHandlers.ofLines()).body()) {
       boolean isSatisfied =
           lines
+              .takeWhile(_ -> System.nanoTime() < end) // one comes at least every 5 s
               .filter(line -> line.startsWith("data: "))
               .map(line -> JSON.readTree(line.substring("data: ".length())))
               .filter(data -> data.has("robots")) // else it says only that it is alive
+              .peek(last::set)
               .anyMatch(condition);
       if (!isSatisfied) {
-        throw new AssertionError("the live events ended");
+        throw new AssertionError("no live event satisfied it; the last one: " + last.get());
       }
     }
   }
