@@ -28,7 +28,7 @@ Runs the full test suite, and says at its end how much it did of each kind.
   --seed N  begins from this seed: the same seed tries the same
 
 Nothing is left out: what this machine lacks is named, all at once. On Debian and Ubuntu it brings
-what it needs: Chromium, socat, iproute2, nftables, dnsmasq, udhcpc, faketime and the compilers of the firmware (installed when
+what it needs: Chromium, socat, iproute2, nftables, dnsmasq, udhcpc, babeld, faketime and the compilers of the firmware (installed when
 you are root), a private MySQL server with its client, Mosquitto and the fuzzer Schemathesis (unpacked
 into ~/.cache/toqa, not installed). Network cables are pulled by root alone.
 TOQA_TEST_MYSQL_URL=jdbc:mysql://... uses a server of yours where it is only talked to; its user
@@ -92,6 +92,7 @@ remove_networks() {
   command -v ip >/dev/null || return 0
   mark=tq$(($$ % 10000))
   ip netns list 2>/dev/null | sed -n "s/^\(${mark}[rp][^ ]*\).*/\1/p" | while read -r space; do
+    ip netns pids "$space" | xargs -r kill 2>/dev/null || true # babelds, which outlive their daemons
     ip netns delete "$space" || true
   done
   ip route delete unreachable "10.232.$(($$ % 10000 % 250)).0/24" 2>/dev/null || true
@@ -183,6 +184,7 @@ require ip iproute2
 require nft nftables
 require dnsmasq dnsmasq-base
 require udhcpc udhcpc
+require babeld babeld
 require faketime faketime
 require setsid util-linux
 require systemd-analyze systemd

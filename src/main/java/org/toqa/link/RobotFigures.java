@@ -6,6 +6,7 @@ import org.toqa.geometry.Vec2;
 import org.toqa.link.message.AgentMessage;
 import org.toqa.link.message.AgentMessage.CameraView;
 import org.toqa.link.message.AgentMessage.Hello;
+import org.toqa.link.message.AgentMessage.NetworkRoute;
 import org.toqa.link.message.AgentMessage.State;
 import org.toqa.wording.Phrase;
 import org.toqa.wording.Sentence;
@@ -28,6 +29,11 @@ final class RobotFigures {
   private static final double MAX_VIEW = 1_000;
 
   private static final int MAX_BOXES = 200;
+
+  /** Characters of an address in a network. */
+  private static final int MAX_ADDRESS = 64;
+
+  private static final int MAX_METRIC = 65_535;
 
   private RobotFigures() {}
 
@@ -98,6 +104,12 @@ final class RobotFigures {
           "The camera of the state has a range that is not from 0 to 1,000 m, more than 200 boxes,"
               + " or one without a number or far away.");
     }
+    NetworkRoute route = state.networkRoute();
+    if (route != null && !isSane(route)) {
+      return Optional.of(
+          "The networkRoute of the state has a nextHop of more than 64 characters, a metric that is"
+              + " not from 0 to 65,535, or a quality that is not from 0 to 1.");
+    }
     Double placeError = state.placeError();
     if (placeError != null && !(placeError >= 0)) {
       return Optional.of("The placeError of the state is less than 0.");
@@ -113,6 +125,14 @@ final class RobotFigures {
         && camera.range() <= MAX_VIEW
         && camera.boxes().size() <= MAX_BOXES
         && camera.boxes().stream().allMatch(seen -> seen.box() > 0 && isOnEarth(seen.place()));
+  }
+
+  private static boolean isSane(NetworkRoute route) {
+    return route.nextHop().length() <= MAX_ADDRESS
+        && route.metric() >= 0
+        && route.metric() <= MAX_METRIC
+        && route.quality() >= 0
+        && route.quality() <= 1;
   }
 
   private static String farAway(String what, String message) {

@@ -270,7 +270,8 @@ public final class SimulatedFleet implements AutoCloseable {
             AgentConfig.Following.of(robot.kind()),
             createBody(folder, robot, floor),
             robot.arm(),
-            robot.avoidance());
+            robot.avoidance(),
+            null);
     Daemon daemon = Daemon.open(config, clock, clock.nanos());
     SimulatedDaemon inhabitant =
         new SimulatedDaemon(daemon, new TickSchedule(daemon, clock.nanos()));

@@ -3,9 +3,9 @@ package org.toqa.agent;
 import java.io.IOException;
 import java.time.Duration;
 import java.time.InstantSource;
-import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
+import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -15,11 +15,13 @@ import org.toqa.agent.access.PeerRole;
 import org.toqa.agent.chassis.ArmDrive;
 import org.toqa.agent.chassis.Chassis;
 import org.toqa.agent.chassis.ChassisCommand;
+import org.toqa.agent.config.AdHocNetwork;
 import org.toqa.agent.config.AgentConfig;
 import org.toqa.agent.connection.PeerConnections;
 import org.toqa.agent.control.RobotControl;
 import org.toqa.agent.formation.FollowerConnector;
 import org.toqa.agent.formation.FormationBroadcasts;
+import org.toqa.agent.routing.Babeld;
 import org.toqa.agent.storage.DataFolder;
 import org.toqa.agent.storage.Journal;
 import org.toqa.arm.ArmCommand;
@@ -27,7 +29,9 @@ import org.toqa.arm.ArmReading;
 import org.toqa.geometry.Pose;
 import org.toqa.link.message.AgentMessage;
 import org.toqa.link.message.AgentMessage.Ack;
+import org.toqa.link.message.AgentMessage.Fault;
 import org.toqa.link.message.AgentMessage.Hello;
+import org.toqa.link.message.AgentMessage.NetworkRoute;
 import org.toqa.link.message.AgentMessage.State;
 import org.toqa.link.message.ServerMessage.Command;
 import org.toqa.link.message.ServerMessage.Follow;
@@ -56,6 +60,7 @@ public final class Daemon implements AutoCloseable {
   private final InstantSource clock;
   private final DataFolder folder;
   private final Chassis chassis;
+  private final @Nullable Babeld routing;
   private final RobotControl control;
   private final LinkEndpoint endpoint;
   private final PeerConnections connections;
@@ -110,9 +115,17 @@ public final class Daemon implements AutoCloseable {
       DataFolder folder,
       Chassis chassis)
       throws IOException {
+    Babeld routing = null;
     try {
-      return new Daemon(config, clock, nanos, pair, folder, chassis);
+      AdHocNetwork network = config.adHocNetwork();
+      if (network != null) {
+        routing = Babeld.open(config.name(), network, folder.path());
+      }
+      return new Daemon(config, clock, nanos, pair, folder, chassis, routing);
     } catch (IOException e) {
+      if (routing != null) {
+        routing.close();
+      }
       chassis.close();
       throw e;
     }
@@ -124,9 +137,11 @@ public final class Daemon implements AutoCloseable {
       long nanos,
       boolean pair,
       DataFolder folder,
-      Chassis chassis)
+      Chassis chassis,
+      @Nullable Babeld routing)
       throws IOException {
     this.config = config;
+    this.routing = routing;
     this.clock = clock;
     this.nanos = nanos;
     this.folder = folder;
@@ -283,7 +298,20 @@ public final class Daemon implements AutoCloseable {
   private State state() {
     return control
         .report()
-        .state(clock.millis(), endpoint.rejection().map(List::of).orElse(List.of()));
+        .state(
+            clock.millis(),
+            Stream.concat(endpoint.rejection().stream(), routingFault().stream()).toList(),
+            route().orElse(null));
+  }
+
+  private Optional<Fault> routingFault() {
+    return routing == null ? Optional.empty() : routing.fault();
+  }
+
+  private Optional<NetworkRoute> route() {
+    return routing == null
+        ? Optional.empty()
+        : connections.serverAddress().flatMap(routing::routeTo);
   }
 
   @Override
@@ -293,6 +321,9 @@ public final class Daemon implements AutoCloseable {
     connections.close();
     chassis.exchange(ChassisCommand.MoveAt.STANDSTILL, nanos);
     chassis.close();
+    if (routing != null) {
+      routing.close();
+    }
     folder.close();
     log.info("{}: ended.", config.name());
   }

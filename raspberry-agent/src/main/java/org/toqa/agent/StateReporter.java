@@ -13,6 +13,7 @@ import org.toqa.link.message.AgentMessage.Acted;
 import org.toqa.link.message.AgentMessage.ArmState;
 import org.toqa.link.message.AgentMessage.Done;
 import org.toqa.link.message.AgentMessage.Fault;
+import org.toqa.link.message.AgentMessage.NetworkRoute;
 import org.toqa.link.message.AgentMessage.PhaseEnd;
 import org.toqa.link.message.AgentMessage.State;
 
@@ -110,6 +111,7 @@ final class StateReporter {
         || state.room() != before.room()
         || !Objects.equals(state.task(), before.task())
         || hasChanged(state.arm(), before.arm())
+        || !Objects.equals(nextHop(state), nextHop(before))
         || !haveSameCodes(state.errors(), before.errors());
   }
 
@@ -117,6 +119,11 @@ final class StateReporter {
     return now != null
         && before != null
         && (now.step() != before.step() || !Objects.equals(now.act(), before.act()));
+  }
+
+  private static @Nullable String nextHop(State state) {
+    NetworkRoute route = state.networkRoute();
+    return route == null ? null : route.nextHop();
   }
 
   private static boolean haveSameCodes(List<Fault> some, List<Fault> others) {

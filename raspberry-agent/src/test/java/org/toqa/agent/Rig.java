@@ -146,7 +146,8 @@ final class Rig implements AutoCloseable {
         AgentConfig.Following.DEFAULT,
         config,
         arm,
-        avoidance);
+        avoidance,
+        null);
   }
 
   /** A server that was greeted and has said nothing yet. */

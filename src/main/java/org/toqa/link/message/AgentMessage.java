@@ -270,6 +270,8 @@ public sealed interface AgentMessage {
    * @param arm null: it has none
    * @param room whether it has room beside its path, or needs it
    * @param camera what it sees now; null: it has none, or sees nothing at all
+   * @param networkRoute by which the server is reached in an ad hoc network; null: the robot is in
+   *     none, or knows no route
    */
   record State(
       long stamp,
@@ -291,10 +293,11 @@ public sealed interface AgentMessage {
       @JsonSetter(nulls = Nulls.SET) @Nullable ArmState arm,
       RoomUse room,
       @JsonSetter(nulls = Nulls.SET) @Nullable CameraView camera,
+      @JsonSetter(nulls = Nulls.SET) @Nullable NetworkRoute networkRoute,
       List<Fault> errors)
       implements AgentMessage {
 
-    /** That of a robot without cameras. */
+    /** That of a robot without cameras, which is in no ad hoc network. */
     public State(
         long stamp,
         boolean localised,
@@ -334,6 +337,7 @@ public sealed interface AgentMessage {
           measuredLoad,
           arm,
           room,
+          null,
           null,
           errors);
     }
@@ -377,6 +381,7 @@ public sealed interface AgentMessage {
           null,
           RoomUse.NONE,
           null,
+          null,
           errors);
     }
 
@@ -402,9 +407,20 @@ public sealed interface AgentMessage {
           arm,
           room,
           camera,
+          networkRoute,
           errors);
     }
   }
+
+  /**
+   * The route of a robot to its server in an ad hoc network.
+   *
+   * @param nextHop the address of whom it sends to first
+   * @param metric of the whole route, as babeld counts it: 256 for each transmission that is
+   *     expected (ETX), so 256 a hop where nothing is lost
+   * @param quality 0 to 1, of the last 16 greetings of the next hop how many were heard
+   */
+  record NetworkRoute(String nextHop, int metric, double quality) {}
 
   /**
    * What cameras that look all round see.

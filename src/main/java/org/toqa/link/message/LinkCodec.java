@@ -248,6 +248,7 @@ public final class LinkCodec {
         addNullIfMissing(message, "measuredLoad");
         addNullIfMissing(message, "arm");
         addNullIfMissing(message, "camera");
+        addNullIfMissing(message, "networkRoute");
         addRoomUseIfMissing(message);
         message.path("errors").valueStream().forEach(error -> addIfMissing(error, "clearable"));
       }

@@ -2,6 +2,7 @@ package org.toqa.link.message;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertInstanceOf;
+import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -80,6 +81,22 @@ class LinkCodecTest {
         assertInstanceOf(
             AgentMessage.Hello.class, understood(LinkCodec.decodeAgentMessage(line(hello))));
     assertEquals(3.5, said.maxTurnRate());
+  }
+
+  /** As an earlier release sends it. */
+  @Test
+  void robotThatDoesNotTellItHasNoRouteInAnAdHocNetwork() {
+    String state =
+        agentLines()
+            .filter(line -> line.contains("networkRoute"))
+            .map(line -> line.replaceAll("\"networkRoute\":\\{[^}]*},", ""))
+            .findFirst()
+            .orElseThrow();
+
+    var said =
+        assertInstanceOf(
+            AgentMessage.State.class, understood(LinkCodec.decodeAgentMessage(line(state))));
+    assertNull(said.networkRoute());
   }
 
   /** As an earlier release sends it. */

@@ -38,6 +38,7 @@ import org.toqa.yaml.YamlSyntaxException;
  * @param kind how it can move
  * @param arm null: it has none
  * @param avoidance how it gets round what it sees
+ * @param adHocNetwork that it forwards in; null: it is in none
  */
 public record AgentConfig(
     String name,
@@ -52,7 +53,8 @@ public record AgentConfig(
     Following following,
     ChassisConfig chassis,
     @Nullable ArmConfig arm,
-    Avoidance avoidance) {
+    Avoidance avoidance,
+    @Nullable AdHocNetwork adHocNetwork) {
 
   private static final String[] KEYS = {
     "name",
@@ -70,7 +72,8 @@ public record AgentConfig(
     "turnAcceleration",
     "following",
     "chassis",
-    "arm"
+    "arm",
+    "adHocNetwork"
   };
 
   private static final Pattern NAME = Pattern.compile("[A-Za-z0-9][A-Za-z0-9._-]{0,63}");
@@ -90,7 +93,7 @@ public record AgentConfig(
     }
   }
 
-  /** With the usual avoidance. */
+  /** With the usual avoidance, in no ad hoc network. */
   public AgentConfig(
       String name,
       InetAddress address,
@@ -117,7 +120,8 @@ public record AgentConfig(
         following,
         chassis,
         arm,
-        Avoidance.WEIGHTED_DIRECTIONS);
+        Avoidance.WEIGHTED_DIRECTIONS,
+        null);
   }
 
   /** That of a robot without an arm. */
@@ -163,7 +167,8 @@ public record AgentConfig(
         following,
         chassis,
         mounted,
-        avoidance);
+        avoidance,
+        adHocNetwork);
   }
 
   /** The same with that avoidance. */
@@ -181,7 +186,8 @@ public record AgentConfig(
         following,
         chassis,
         arm,
-        other);
+        other,
+        adHocNetwork);
   }
 
   /** The range sensors of a simulated body. */
@@ -217,7 +223,8 @@ public record AgentConfig(
                 kind, top.section("following", "law", "placeGain", "headingGain", "linkDelay")),
             ChassisConfig.read(file, top),
             ArmConfig.read(top),
-            avoidance);
+            avoidance,
+            AdHocNetwork.read(file, top));
     if (!kind.canGoSideways() && !config.chassis.canBeOnTwoWheels()) {
       throw top.invalid(
           "kind", kind.word(), "omni: this project's microcontroller turns three omni wheels");

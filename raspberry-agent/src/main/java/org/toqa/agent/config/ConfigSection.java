@@ -66,6 +66,18 @@ final class ConfigSection {
     return value == null ? defaultValue : text(key, value);
   }
 
+  /** A list of texts; empty where the key is not there. */
+  List<String> texts(String key) throws ConfigException {
+    Object value = values.get(key);
+    if (value == null) {
+      return List.of();
+    }
+    if (!(value instanceof List<?> items && items.stream().allMatch(String.class::isInstance))) {
+      throw invalid(key, value, "a list of texts, as in [wlan0]");
+    }
+    return items.stream().map(String.class::cast).toList();
+  }
+
   /** A list of places, metres, map frame; empty where the key is not there. */
   List<Vec2> points(String key) throws ConfigException {
     Object value = values.get(key);

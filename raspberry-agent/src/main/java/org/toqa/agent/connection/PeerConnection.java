@@ -1,6 +1,7 @@
 package org.toqa.agent.connection;
 
 import java.io.IOException;
+import java.net.InetAddress;
 import java.nio.charset.StandardCharsets;
 import java.util.Objects;
 import java.util.concurrent.atomic.AtomicLong;
@@ -29,6 +30,7 @@ public final class PeerConnection implements AutoCloseable {
   private static final int QUEUED_LINES = 300;
 
   private final String robot;
+  private final InetAddress remoteAddress;
   private final LineChannel channel;
   private final Listener listener;
   private static final Pattern HTTP_REQUEST = Pattern.compile("[A-Z]+ \\S+ HTTP/");
@@ -49,6 +51,7 @@ public final class PeerConnection implements AutoCloseable {
 
   public PeerConnection(String robot, LinkSocket socket, Listener listener) {
     this.robot = robot;
+    remoteAddress = socket.remoteAddress();
     channel = new LineChannel(socket, robot, QUEUED_LINES, WhenFull.CLOSE);
     this.listener = listener;
     reader = Thread.ofVirtual().name(robot + "-reader").unstarted(this::readLines);
@@ -63,6 +66,11 @@ public final class PeerConnection implements AutoCloseable {
   @Nullable
   public Fingerprint peer() {
     return channel.peer();
+  }
+
+  /** Whence it was made. */
+  InetAddress remoteAddress() {
+    return remoteAddress;
   }
 
   /** How many messages have come and were handed on. */

@@ -1,5 +1,6 @@
 package org.toqa.agent.connection;
 
+import java.net.InetAddress;
 import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Deque;
@@ -307,6 +308,11 @@ public final class PeerConnections implements AutoCloseable {
       leader = null;
     }
     unidentified.removeIf(connection -> connection.endReason() != null);
+  }
+
+  /** Where the connected server, or the gateway before it, is seen to be; empty: there is none. */
+  public Optional<InetAddress> serverAddress() {
+    return Optional.ofNullable(server).map(PeerConnection::remoteAddress);
   }
 
   public void sendToServer(AgentMessage message) {

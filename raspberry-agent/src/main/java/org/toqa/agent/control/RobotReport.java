@@ -15,6 +15,7 @@ import org.toqa.link.message.AgentMessage.ArmState;
 import org.toqa.link.message.AgentMessage.Fault;
 import org.toqa.link.message.AgentMessage.Hello;
 import org.toqa.link.message.AgentMessage.Mode;
+import org.toqa.link.message.AgentMessage.NetworkRoute;
 import org.toqa.link.message.AgentMessage.Role;
 import org.toqa.link.message.AgentMessage.RoomUse;
 import org.toqa.link.message.AgentMessage.Speed;
@@ -81,8 +82,9 @@ public record RobotReport(
   /**
    * @param stamp milliseconds since 1970
    * @param notes what else the server is to know
+   * @param route to the server in an ad hoc network; null: none is known
    */
-  public State state(long stamp, List<Fault> notes) {
+  public State state(long stamp, List<Fault> notes, @Nullable NetworkRoute route) {
     return new State(
         stamp,
         isLocalised,
@@ -103,6 +105,7 @@ public record RobotReport(
         arm,
         roomUse,
         reading.camera(),
+        route,
         notes.isEmpty() ? errors : Stream.concat(errors.stream(), notes.stream()).toList());
   }
 }

@@ -10,6 +10,8 @@ import java.net.InetAddress;
 import java.net.ServerSocket;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.nio.file.attribute.PosixFilePermissions;
+import java.util.List;
 import java.util.Objects;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -70,6 +72,32 @@ class AgentConfigTest {
     assertEquals(
         new ChassisConfig.Serial(Path.of("/dev/serial0"), 115_200, true, FirmwareSettings.DEFAULT),
         config.chassis());
+  }
+
+  @Test
+  void adHocNetworkHasTheKeyOfItsFile() throws ConfigException, IOException {
+    Path key = Files.writeString(folder.resolve("fleet.key"), "ab".repeat(32) + "\n");
+    String network =
+        LEAST.replace("}}", "}, adHocNetwork: {interfaces: [wlan0, eth0], key: fleet.key}}");
+    Files.setPosixFilePermissions(key, PosixFilePermissions.fromString("rw-r-----"));
+
+    assertEquals(
+        new AdHocNetwork(List.of("wlan0", "eth0"), 1, "ab".repeat(32)),
+        AgentConfig.read(file(network)).adHocNetwork());
+
+    Files.setPosixFilePermissions(key, PosixFilePermissions.fromString("rw-r--r--"));
+    isRefused(network, "a file that nobody else may read or write (chmod o-rw)");
+    Files.setPosixFilePermissions(key, PosixFilePermissions.fromString("rw-------"));
+    Files.writeString(key, "secret");
+    isRefused(network, "a file with 64 hexadecimal digits");
+    Files.delete(key);
+    isRefused(network, "a file that can be read");
+  }
+
+  private void isRefused(String content, String sentence) {
+    String said =
+        assertThrows(ConfigException.class, () -> AgentConfig.read(file(content))).getMessage();
+    assertTrue(said.contains(sentence), said);
   }
 
   @Test
@@ -134,6 +162,11 @@ class AgentConfigTest {
           {name: r1, dataDir: d, kind: differential, following: {law: omni}} | "following.law" is omni; it must be non-holonomic for a robot that cannot go sideways.
           {name: r1, dataDir: d, kind: differential, chassis: {type: spi}} | "kind" is differential; it must be omni: this project's microcontroller turns three omni wheels.
           {name: r1, dataDir: d, following: {placeGain: 50}} | "following.placeGain" is 50; it must be a number from 0.1 to 5.
+          {name: r1, dataDir: d, chassis: {type: simulated}, adHocNetwork: {}} | "adHocNetwork.interfaces" is []; it must be 1 to 8 network interfaces, as in [wlan0].
+          {name: r1, dataDir: d, chassis: {type: simulated}, adHocNetwork: {interfaces: wlan0}} | "adHocNetwork.interfaces" is wlan0; it must be a list of texts, as in [wlan0].
+          {name: r1, dataDir: d, chassis: {type: simulated}, adHocNetwork: {interfaces: ["a b"]}} | "adHocNetwork.interfaces" is [a b]; it must be 1 to 8 network interfaces, as in [wlan0].
+          {name: r1, dataDir: d, chassis: {type: simulated}, adHocNetwork: {interfaces: [wlan0], hello: 0}} | "adHocNetwork.hello" is 0; it must be a number from 0.1 to 60.
+          {name: r1, dataDir: d, chassis: {type: simulated}, adHocNetwork: {interfaces: [wlan0], keys: k}} | there is no key "adHocNetwork.keys"; did you mean "adHocNetwork.key"?
           {name: r1, dataDir: d}              | the key "chassis.type" is missing.
           {dataDir: d}                        | the key "name" is missing.
           {name: a b, dataDir: d}             | "name" is a b; it must be 1 to 64 letters, digits, dots, - and _, and begin with a letter or digit.
