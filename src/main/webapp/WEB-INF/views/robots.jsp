@@ -62,7 +62,7 @@
               <td data-label="<fmt:message key="robot.actualSpeed"/>"><span><t:actual-speed readings="${robot.telemetry.readings()}"/></span></td>
               <td class="number" data-label="<fmt:message key="robots.column.battery"/>"><c:choose><c:when test="${empty robot.telemetry.battery}"><span class="faint"><fmt:message key="robot.battery.unknown"/></span></c:when><c:otherwise><fmt:formatNumber value="${robot.telemetry.battery}" type="percent"/></c:otherwise></c:choose></td>
               <td class="number" data-label="<fmt:message key="robots.column.maxLoad"/>"><fmt:message key="common.kilograms"><fmt:param value="${maxLoad}"/></fmt:message></td>
-              <td data-label="<fmt:message key="robot.address"/>"><bdi dir="ltr"><c:out value="${robot.record.host}"/>:${robot.record.port}</bdi></td>
+              <td data-label="<fmt:message key="robot.address"/>"><bdi dir="ltr"><c:out value="${robot.record.host}"/>:${robot.record.port}</bdi><c:if test="${not empty robot.telemetry.readings().networkRoute()}"><br><small><t:network-route route="${robot.telemetry.readings().networkRoute()}" relays="${relays[robot.name]}"/></small></c:if></td>
               <td data-label="<fmt:message key="robot.lastSeen"/>"><t:last-seen robot="${robot}"/></td>
             </tr>
           </c:forEach>

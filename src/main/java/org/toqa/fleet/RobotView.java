@@ -10,6 +10,7 @@ import org.toqa.link.message.AgentMessage;
 import org.toqa.link.message.AgentMessage.ArmState;
 import org.toqa.link.message.AgentMessage.CameraView;
 import org.toqa.link.message.AgentMessage.Fault;
+import org.toqa.link.message.AgentMessage.NetworkRoute;
 import org.toqa.mission.Phase;
 import org.toqa.traffic.floor.PathDeviation;
 import org.toqa.traffic.floor.RemainingPath;
@@ -101,6 +102,7 @@ public record RobotView(
    * @param measuredLoad kilograms that it bears, as it measures; null: nothing, or it has no scale
    * @param arm null: it has none
    * @param camera what it sees; null: it has none, or sees nothing at all
+   * @param networkRoute to the server in an ad hoc network; null: it is in none, or knows none
    */
   public record Readings(
       @Nullable Double speed,
@@ -109,7 +111,20 @@ public record RobotView(
       @Nullable Double placeError,
       @Nullable Double measuredLoad,
       @Nullable ArmState arm,
-      @Nullable CameraView camera) {
+      @Nullable CameraView camera,
+      @Nullable NetworkRoute networkRoute) {
+
+    /** Of a robot in no ad hoc network. */
+    public Readings(
+        @Nullable Double speed,
+        @Nullable Double turnRate,
+        List<Double> ranges,
+        @Nullable Double placeError,
+        @Nullable Double measuredLoad,
+        @Nullable ArmState arm,
+        @Nullable CameraView camera) {
+      this(speed, turnRate, ranges, placeError, measuredLoad, arm, camera, null);
+    }
 
     /** Of a robot without an arm and cameras. */
     public Readings(
@@ -137,7 +152,14 @@ public record RobotView(
           error == null ? null : rounded(error),
           load == null ? null : rounded(load),
           rounded(state.arm()),
-          state.camera());
+          state.camera(),
+          rounded(state.networkRoute()));
+    }
+
+    private static @Nullable NetworkRoute rounded(@Nullable NetworkRoute route) {
+      return route == null
+          ? null
+          : new NetworkRoute(route.nextHop(), route.metric(), rounded(route.quality()));
     }
 
     private static @Nullable ArmState rounded(@Nullable ArmState arm) {

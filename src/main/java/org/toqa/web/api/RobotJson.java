@@ -14,6 +14,7 @@ import org.toqa.geometry.Pose;
 import org.toqa.geometry.Vec2;
 import org.toqa.link.message.AgentMessage.ArmState;
 import org.toqa.link.message.AgentMessage.Fault;
+import org.toqa.link.message.AgentMessage.NetworkRoute;
 import org.toqa.wording.Sentence;
 
 /** A robot on the wire; flat, its path as it is drawn. */
@@ -54,7 +55,8 @@ public record RobotJson(
     String kind,
     double track,
     @Nullable DeviationJson deviation,
-    @Nullable String driver) {
+    @Nullable String driver,
+    @Nullable NetworkRoute networkRoute) {
 
   /** Metres a second forward, radians a second counter-clockwise. */
   private record TwistJson(double v, double w) {
@@ -154,6 +156,7 @@ public record RobotJson(
         view.capabilities().kindWord(),
         view.capabilities().track(),
         DeviationJson.of(view),
-        work.driver());
+        work.driver(),
+        seen.readings().networkRoute());
   }
 }

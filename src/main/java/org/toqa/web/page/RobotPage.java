@@ -11,6 +11,7 @@ import java.util.function.Function;
 import org.jspecify.annotations.Nullable;
 import org.toqa.fleet.Fleet;
 import org.toqa.fleet.FleetSnapshot;
+import org.toqa.fleet.RelayChain;
 import org.toqa.fleet.RobotChange;
 import org.toqa.fleet.RobotRecord;
 import org.toqa.fleet.RobotView;
@@ -194,6 +195,7 @@ public final class RobotPage extends PageHandler {
     robot.ifPresent(
         r -> {
           request.setAttribute("robot", r);
+          request.setAttribute("relays", RelayChain.of(r, fleet.robots()));
           request.setAttribute("version", Version.of(r));
           ReadingForms.addAttributes(request, r.name());
           request.setAttribute(

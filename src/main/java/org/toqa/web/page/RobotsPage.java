@@ -6,6 +6,8 @@ import jakarta.servlet.http.HttpServletResponse;
 import java.io.IOException;
 import java.util.List;
 import java.util.Optional;
+import java.util.stream.Collectors;
+import org.toqa.fleet.RelayChain;
 import org.toqa.fleet.RobotOrder;
 import org.toqa.fleet.RobotState;
 import org.toqa.fleet.RobotView;
@@ -55,7 +57,12 @@ public final class RobotsPage extends PageHandler {
     request.setAttribute("count", wanted.size());
     request.setAttribute("isFiltered", query.isFiltered());
     request.setAttribute("states", RobotState.values());
-    request.setAttribute("robots", ListPage.of(request, wanted.size(), PAGE_SIZE).of(wanted));
+    List<RobotView> shown = ListPage.of(request, wanted.size(), PAGE_SIZE).of(wanted);
+    request.setAttribute("robots", shown);
+    request.setAttribute(
+        "relays",
+        shown.stream()
+            .collect(Collectors.toMap(RobotView::name, robot -> RelayChain.of(robot, all))));
     request.setAttribute("gateways", services(request).fleet().gateways());
   }
 }

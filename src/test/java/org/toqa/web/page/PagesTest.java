@@ -28,6 +28,7 @@ import org.toqa.fleet.RobotView.Readings;
 import org.toqa.fleet.RobotView.Telemetry;
 import org.toqa.fleet.history.BatteryLevel;
 import org.toqa.geometry.Pose;
+import org.toqa.link.message.AgentMessage.NetworkRoute;
 import org.toqa.testbed.Hall;
 import org.toqa.web.WebServerTest;
 import org.toqa.web.WebTestServer;
@@ -302,7 +303,15 @@ class PagesTest extends WebServerTest {
                 new Telemetry(
                     said.pose(),
                     said.battery(),
-                    new Readings(0.23, 0.0, List.of(0.45, 0.8, 0.1), 0.03, 4.2),
+                    new Readings(
+                        0.23,
+                        0.0,
+                        List.of(0.45, 0.8, 0.1),
+                        0.03,
+                        4.2,
+                        null,
+                        null,
+                        new NetworkRoute("10.0.0.9", 768, 0.94)),
                     List.of(),
                     said.lastSeen()))
             .withUnreachable(Phrase.NOBODY_LISTENS.with("r8", "10.0.0.7:7277"));
@@ -329,6 +338,11 @@ class PagesTest extends WebServerTest {
     assertTrue(page.contains("0.03 m"), "off its place");
     assertTrue(page.contains("4.2 kg"), "what it bears");
     assertTrue(page.contains("0.45, 0.80, 0.10"), "the ranges");
+    for (String text : List.of("No robot forwards", "hears its next hop 94%")) {
+      assertTrue(list.contains(text), text);
+      assertTrue(page.contains(text), text);
+    }
+    assertTrue(page.contains("10.0.0.9</bdi>") && page.contains("768</bdi>"), "its route");
     assertTrue(page.contains("has never been connected"));
     assertTrue(page.contains("<polyline points=\"200.0,16.0 398.3,20.0 400.0,20.0\""));
     server
