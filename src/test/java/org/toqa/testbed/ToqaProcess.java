@@ -73,6 +73,19 @@ public final class ToqaProcess implements AutoCloseable {
     return start(folder, CACHE, Map.of(), command);
   }
 
+  /**
+   * The same, run by another command.
+   *
+   * @param runner such as {@code ip netns exec NAME}
+   */
+  public static ToqaProcess agentBy(List<String> runner, Path folder, String... arguments)
+      throws IOException {
+    List<String> command = new ArrayList<>(runner);
+    command.addAll(CachedProgram.agent(CACHE));
+    command.addAll(List.of(arguments));
+    return start(folder, CACHE, Map.of(), command);
+  }
+
   /** A jar or WAR, run by this Java. */
   public static ToqaProcess jar(Path folder, Path jar, String... arguments) throws IOException {
     return jar(folder, folder.resolve("cache"), jar, arguments);
