@@ -15,6 +15,13 @@ public interface CameraStore {
   Camera add(CameraOrder order, String by);
 
   /**
+   * @param by a user's name
+   * @return false: there is no such camera any more
+   * @throws org.toqa.persistence.StoreException also where another camera has the name meanwhile
+   */
+  boolean change(Camera camera, String by);
+
+  /**
    * @return false: there is no such camera any more
    */
   boolean delete(long id, String by);

@@ -57,6 +57,16 @@ public final class Cameras implements AutoCloseable {
   }
 
   /**
+   * What it shows from now on is asked at its new address.
+   *
+   * @param by a user's name
+   * @return false: there is no such camera
+   */
+  public boolean change(Camera camera, String by) {
+    return store.change(camera, by);
+  }
+
+  /**
    * @param by a user's name
    * @return false: there is no such camera
    */

@@ -101,6 +101,7 @@ public enum EventKind {
   NETWORK_DEVICE_CHANGED("network.device-changed"),
   NETWORK_DEVICE_REMOVED("network.device-removed"),
   CAMERA_ADDED("camera.added"),
+  CAMERA_CHANGED("camera.changed"),
   CAMERA_REMOVED("camera.removed"),
   SUPERVISION_BEGAN("supervision.began"),
   SUPERVISION_DONE("supervision.done"),

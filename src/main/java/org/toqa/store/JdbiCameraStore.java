@@ -14,8 +14,9 @@ import org.toqa.camera.CameraStore;
 import org.toqa.fleet.EventKind;
 import org.toqa.fleet.EventRecord;
 import org.toqa.wording.Phrase;
+import org.toqa.wording.Sentence;
 
-/** Cameras; who added and removed them is in the history. */
+/** Cameras; who added, changed and removed them is in the history. */
 public final class JdbiCameraStore implements CameraStore {
   private static final String SELECT = "select id, name, url, robot, floor from cameras";
 
@@ -60,33 +61,61 @@ public final class JdbiCameraStore implements CameraStore {
                   .executeAndReturnGeneratedKeys("id")
                   .mapTo(Long.class)
                   .one();
-          tell(h, EventKind.CAMERA_ADDED, order, by, Phrase.CAMERA_ADDED);
+          tell(h, EventKind.CAMERA_ADDED, order, by, Phrase.CAMERA_ADDED.with(by, order.name()));
           return new Camera(id, order);
         });
+  }
+
+  @Override
+  public boolean change(Camera camera, String by) {
+    return sql.inTransaction(
+        h -> {
+          Optional<Camera> before = lock(h, camera.id());
+          before.ifPresent(
+              earlier -> {
+                CameraOrder order = camera.order();
+                h.execute(
+                    "update cameras set name = ?, url = ?, robot = ?, floor = ? where id = ?",
+                    order.name(),
+                    order.url().toString(),
+                    order.robot(),
+                    order.floor(),
+                    camera.id());
+                Sentence said =
+                    order.name().equals(earlier.name())
+                        ? Phrase.CAMERA_CHANGED.with(by, order.name())
+                        : Phrase.CAMERA_RENAMED.with(by, earlier.name(), order.name());
+                tell(h, EventKind.CAMERA_CHANGED, order, by, said);
+              });
+          return before.isPresent();
+        });
+  }
+
+  private static Optional<Camera> lock(Handle h, long id) {
+    return h.createQuery(SELECT + " where id = :id for update")
+        .bind("id", id)
+        .map((row, _) -> camera(row))
+        .findOne();
   }
 
   @Override
   public boolean delete(long id, String by) {
     return sql.inTransaction(
         h -> {
-          Optional<Camera> before =
-              h.createQuery(SELECT + " where id = :id for update")
-                  .bind("id", id)
-                  .map((row, _) -> camera(row))
-                  .findOne();
+          Optional<Camera> before = lock(h, id);
           before.ifPresent(
               camera -> {
                 h.execute("delete from cameras where id = ?", id);
-                tell(h, EventKind.CAMERA_REMOVED, camera.order(), by, Phrase.CAMERA_REMOVED);
+                CameraOrder order = camera.order();
+                Sentence said = Phrase.CAMERA_REMOVED.with(by, order.name());
+                tell(h, EventKind.CAMERA_REMOVED, order, by, said);
               });
           return before.isPresent();
         });
   }
 
-  private void tell(Handle h, EventKind kind, CameraOrder order, String by, Phrase phrase) {
-    EventRecord event =
-        new EventRecord(
-            clock.instant(), kind, null, order.robot(), by, phrase.with(by, order.name()));
+  private void tell(Handle h, EventKind kind, CameraOrder order, String by, Sentence said) {
+    EventRecord event = new EventRecord(clock.instant(), kind, null, order.robot(), by, said);
     EventTable.addAll(h, List.of(order.floor() == null ? event : event.onFloor(order.floor())));
   }
 }

@@ -611,6 +611,8 @@ public enum Phrase {
   DEVICE_CHANGED,
   DEVICE_REMOVED,
   CAMERA_ADDED,
+  CAMERA_CHANGED,
+  CAMERA_RENAMED,
   CAMERA_REMOVED,
 
   // What happened to a site

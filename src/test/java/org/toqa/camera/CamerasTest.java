@@ -64,6 +64,11 @@ class CamerasTest {
     }
 
     @Override
+    public boolean change(Camera camera, String by) {
+      return false;
+    }
+
+    @Override
     public boolean delete(long id, String by) {
       return false;
     }

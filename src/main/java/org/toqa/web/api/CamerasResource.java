@@ -50,6 +50,18 @@ public final class CamerasResource extends ApiHandler {
     Json.send(request, response, 201, CameraJson.of(added, caller));
   }
 
+  public static void change(HttpServletRequest request, HttpServletResponse response)
+      throws IOException {
+    CameraList cameras = new CameraList(services(request));
+    Caller caller = Caller.of(request);
+    long id = camera(request).id();
+    Camera changed = readBody(request, fields -> CameraReader.read(fields, cameras, id));
+    if (!cameras.cameras().change(changed, caller.name())) {
+      throw notFound(request);
+    }
+    Json.send(request, response, 200, CameraJson.of(changed, caller));
+  }
+
   public static void delete(HttpServletRequest request, HttpServletResponse response) {
     Camera camera = camera(request);
     services(request).cameras().delete(camera.id(), Caller.of(request).name());
@@ -74,7 +86,10 @@ public final class CamerasResource extends ApiHandler {
     return services(request)
         .cameras()
         .camera(RequestPath.number(request, "id"))
-        .orElseThrow(
-            () -> Problem.of(404, Texts.of(request).get("problem.noSuchCamera")).exception());
+        .orElseThrow(() -> notFound(request));
+  }
+
+  private static RuntimeException notFound(HttpServletRequest request) {
+    return Problem.of(404, Texts.of(request).get("problem.noSuchCamera")).exception();
   }
 }

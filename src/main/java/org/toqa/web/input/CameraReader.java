@@ -27,22 +27,36 @@ public final class CameraReader {
     this.fields = fields;
   }
 
-  /** It means something only when no error was filed. */
+  /** A new one; it means something only when no error was filed. */
   public static CameraOrder read(Fields fields, CameraList cameras) {
-    CameraReader reader = new CameraReader(fields);
-    String name = fields.rules().deviceName(NAME, fields.text(NAME));
     List<Camera> others = cameras.all();
-    if (others.stream().anyMatch(camera -> camera.name().equals(name))) {
-      reader.refuse(NAME, "error.camera.name", name);
-    }
+    CameraReader reader = new CameraReader(fields);
     if (others.size() >= Cameras.MOST) {
       reader.refuse(NAME, "error.camera.many", Cameras.MOST);
     }
-    URI url = reader.url();
-    String robot = reader.known(ROBOT, cameras.robots(), "error.camera.robot");
-    String floor = reader.known(FLOOR, cameras.floors(), "error.camera.floor");
+    return reader.order(others, cameras);
+  }
+
+  /**
+   * What an existing one is changed to; it means something only when no error was filed.
+   *
+   * @param id of that one
+   */
+  public static Camera read(Fields fields, CameraList cameras, long id) {
+    List<Camera> others = cameras.all().stream().filter(camera -> camera.id() != id).toList();
+    return new Camera(id, new CameraReader(fields).order(others, cameras));
+  }
+
+  private CameraOrder order(List<Camera> others, CameraList cameras) {
+    String name = fields.rules().deviceName(NAME, fields.text(NAME));
+    if (others.stream().anyMatch(camera -> camera.name().equals(name))) {
+      refuse(NAME, "error.camera.name", name);
+    }
+    URI url = url();
+    String robot = known(ROBOT, cameras.robots(), "error.camera.robot");
+    String floor = known(FLOOR, cameras.floors(), "error.camera.floor");
     if ((robot == null) == (floor == null)) {
-      reader.refuse(ROBOT, "error.camera.place");
+      refuse(ROBOT, "error.camera.place");
       robot = name;
       floor = null;
     }

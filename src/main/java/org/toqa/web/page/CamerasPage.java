@@ -5,6 +5,7 @@ import jakarta.servlet.http.HttpServletRequest;
 import jakarta.servlet.http.HttpServletResponse;
 import java.io.IOException;
 import java.util.Optional;
+import org.toqa.camera.Camera;
 import org.toqa.camera.CameraOrder;
 import org.toqa.web.CameraList;
 import org.toqa.web.RequestPath;
@@ -12,7 +13,7 @@ import org.toqa.web.access.Caller;
 import org.toqa.web.input.CameraReader;
 import org.toqa.web.input.FieldErrors;
 
-/** All cameras with what they see; managers add and remove some. */
+/** All cameras with what they see; managers add, change and remove some. */
 public final class CamerasPage extends PageHandler {
   private static final String VIEW = "cameras";
   private static final String PATH = "/cameras";
@@ -20,7 +21,16 @@ public final class CamerasPage extends PageHandler {
   public static void show(HttpServletRequest request, HttpServletResponse response)
       throws ServletException, IOException {
     addAttributes(request);
+    wanted(request).ifPresent(camera -> request.setAttribute("edited", camera));
     show(request, response, VIEW);
+  }
+
+  /** The camera that is to be changed; empty: a new one, or there is none of that id. */
+  private static Optional<Camera> wanted(HttpServletRequest request) {
+    String id = request.getParameter("edit");
+    return id == null || !id.matches("[0-9]{1,18}")
+        ? Optional.empty()
+        : services(request).cameras().camera(Long.parseLong(id));
   }
 
   private static void addAttributes(HttpServletRequest request) {
@@ -41,6 +51,28 @@ public final class CamerasPage extends PageHandler {
     } else {
       addAttributes(request);
       showAgain(request, response, VIEW, errors);
+    }
+  }
+
+  public static void change(HttpServletRequest request, HttpServletResponse response)
+      throws ServletException, IOException {
+    CameraList cameras = new CameraList(services(request));
+    Optional<Camera> camera = cameras.cameras().camera(RequestPath.number(request, "id"));
+    if (camera.isEmpty()) {
+      sendNotFound(request, response, "problem.noSuchCamera");
+      return;
+    }
+    FieldErrors errors = new FieldErrors();
+    Optional<Camera> changed =
+        readForm(request, errors, fields -> CameraReader.read(fields, cameras, camera.get().id()));
+    if (changed.isEmpty()) {
+      addAttributes(request);
+      request.setAttribute("edited", camera.get());
+      showAgain(request, response, VIEW, errors);
+    } else if (cameras.cameras().change(changed.get(), Caller.of(request).name())) {
+      redirect(request, response, PATH + "?done=changed");
+    } else {
+      sendNotFound(request, response, "problem.noSuchCamera");
     }
   }
 

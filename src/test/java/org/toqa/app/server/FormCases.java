@@ -288,6 +288,11 @@ final class FormCases {
             Map.of("name", "Door{n}", "url", "http://127.0.0.1:9/", "robot", "", "floor", "lab"),
             refused("name", "url", "robot", "floor")),
         FormCase.of(
+            "cameras?edit=1",
+            "/cameras/{id}/change",
+            Map.of("name", "Hatch", "url", "http://127.0.0.1:9/", "robot", "", "floor", "lab"),
+            refused("name", "url", "robot", "floor")),
+        FormCase.of(
             "network",
             "/network",
             Map.of("name", "Camera{n}", "kind", "camera", "hardwareAddress", "02:00:5e:10:00:0a"),

@@ -213,6 +213,12 @@ final class OrderCases {
             "{'name':'Gate{n}','url':'http://127.0.0.1:9/','floor':'{floor}'}",
             Map.of("/name", REFUSED, "/url", REFUSED, "/robot", REFUSED, "/floor", REFUSED),
             201),
+        new OrderCase(
+            "PUT",
+            "cameras/1",
+            json("{'name':'Hatch','url':'http://127.0.0.1:9/','floor':'{floor}'}"),
+            Map.of("/name", REFUSED, "/url", REFUSED, "/robot", REFUSED, "/floor", REFUSED),
+            200),
         post(
             "network/devices",
             "{'name':'Gate{n}','kind':'camera','address':'10.0.8.1'}",

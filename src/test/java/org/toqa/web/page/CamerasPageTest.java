@@ -122,6 +122,35 @@ class CamerasPageTest extends WebServerTest {
                 .findValuesAsString("kind")));
   }
 
+  @Test
+  void cameraIsChangedByPageAndApi() {
+    long front = add(Map.of("name", "front", "url", "http://127.0.0.1:9/", "robot", "r1"));
+    long door = add(Map.of("name", "door", "url", url(), "floor", "hall"));
+    String form = manager.get("cameras?edit=" + front).body();
+    assertTrue(form.contains("/cameras/" + front + "/change") && form.contains("127.0.0.1:9/"));
+    assertFalse(clerk.get("cameras?edit=" + front).body().contains("127.0.0.1"));
+
+    String path = "cameras/" + front + "/change";
+    Map<String, String> order = Map.of("name", "gate", "url", url(), "robot", "", "floor", "hall");
+    assertEquals(403, clerk.post(path, order).statusCode());
+    assertEquals(303, manager.post(path, order).statusCode());
+    assertTrue(clerk.get("map").body().contains("<bdi>gate</bdi>"));
+    assertEquals(200, clerk.get("api/v1/cameras/" + front + "/picture").statusCode());
+    HttpResponse<String> taken = manager.post("cameras/" + door + "/change", order);
+    assertEquals(422, taken.statusCode());
+    assertTrue(taken.body().contains("There is a camera gate already"), taken::body);
+
+    String same = JSON.writeValueAsString(Map.of("name", "gate", "url", url(), "robot", "r1"));
+    HttpResponse<String> answer = manager.sendJson("PUT", "api/v1/cameras/" + front, same);
+    assertEquals(200, answer.statusCode(), "its own name may stay");
+    assertEquals("r1", JSON.readTree(answer.body()).get("robot").asString());
+    assertTrue(clerk.get("robots/r1/control").body().contains("<bdi>gate</bdi>"));
+    assertEquals(404, manager.sendJson("PUT", "api/v1/cameras/999", same).statusCode());
+    String history = manager.get("api/v1/history?kind=camera.changed").body();
+    assertTrue(history.contains("changed the camera front, which is called gate now"), history);
+    assertTrue(history.contains("changed the camera gate\""), history);
+  }
+
   @ParameterizedTest
   @CsvSource({
     "front, http://127.0.0.1:9/, r1, '', name",

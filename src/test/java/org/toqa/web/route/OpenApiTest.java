@@ -136,6 +136,7 @@ class OpenApiTest {
             "post /api/v1/network/devices 201",
             "put /api/v1/network/devices/{id} 200",
             "post /api/v1/cameras 201",
+            "put /api/v1/cameras/{id} 200",
             "post /api/v1/users 201",
             "post /api/v1/floors 201",
             "post /api/v1/floors/{floor}/draft/check 200",
