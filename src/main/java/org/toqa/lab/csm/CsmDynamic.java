@@ -91,8 +91,10 @@ public final class CsmDynamic implements Experiment {
       DrivenLine line = line(floor, run, run.seed());
       DynamicDrive drive =
           new DynamicDrive(floor, line, floor.moving(), run, run.seed() + i).drive();
+      DynamicDrive ranged =
+          DynamicDrive.withRanges(floor, line, floor.moving(), run, run.seed() + i).drive();
       addFigures(figures, floor, drive, run);
-      drives.add(row("robot " + (i + 1), line, drive));
+      drives.add(row("robot " + (i + 1), line, drive, ranged));
       drawings.add(scene(floor, line, drive));
       errors.add(errors("robot " + (i + 1), drive));
     }
@@ -118,7 +120,8 @@ public final class CsmDynamic implements Experiment {
         drawings,
         List.of(
             "A contact is judged by where the robot is by its answers; that drifts from the truth by"
-                + " slip, as csm-static shows.",
+                + " slip, as csm-static shows. The last three columns of the robots are of the same drive"
+                + " with its pose corrected by ranges, and judged in truth.",
             "Moving discs go on as they are told, and pass through walls."));
   }
 
@@ -311,18 +314,33 @@ public final class CsmDynamic implements Experiment {
     return new Table(
         "drives",
         "Driven (cm, s)",
-        List.of("robot", "before", "with detours", "detours", "stood", "nearest disc"),
+        List.of(
+            "robot",
+            "before",
+            "with detours",
+            "detours",
+            "stood",
+            "nearest disc",
+            "error in truth",
+            "with ranges",
+            "ranges that did not fit",
+            "nearest disc in truth"),
         rows);
   }
 
-  private static List<String> row(String robot, DrivenLine line, DynamicDrive drive) {
+  private static List<String> row(
+      String robot, DrivenLine line, DynamicDrive drive, DynamicDrive ranged) {
     return List.of(
         robot,
         text(100 * line.length(), 2),
         text(100 * drive.line().length(), 2),
         Integer.toString(drive.detoursTaken()),
         text(drive.secondsStood(), 2),
-        text(100 * drive.nearest(), 1));
+        text(100 * drive.nearest(), 1),
+        text(100 * drive.trueError(), 2),
+        text(100 * ranged.trueError(), 2),
+        ranged.refusedRanges(),
+        text(100 * ranged.nearest(), 1));
   }
 
   private static Table sensitivityTable(List<List<String>> rows) {

@@ -34,7 +34,11 @@ final class CsmParameters {
   static final Parameter WHEEL_SIZE =
       new Parameter("wheel-size", 0.001, 0, 0.05, "", "share by which wheels are unlike");
 
-  static final List<Parameter> OF_BODY = List.of(DELAY, LAG, SLIP, WHEEL_SIZE);
+  static final Parameter RANGE_NOISE =
+      new Parameter(
+          "range-noise", 0.01, 0.001, 0.1, "m", "standard deviation of an ultrasonic range");
+
+  static final List<Parameter> OF_BODY = List.of(DELAY, LAG, SLIP, WHEEL_SIZE, RANGE_NOISE);
 
   /** Seconds: the lag that the tracker takes motors to have, whatever {@link #LAG} is. */
   static final double RESPONSE = 0.05;

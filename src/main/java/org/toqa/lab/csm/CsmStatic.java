@@ -81,9 +81,11 @@ public final class CsmStatic implements Experiment {
     }
     run.progress(0.75, "the curves of the paper");
     StaticDrive nine =
-        StaticDrive.of("equation 9", List.of(PublishedCurve.EQUATION_9), run, run.seed());
+        StaticDrive.of(
+            "equation 9", List.of(PublishedCurve.EQUATION_9), CsmFloor.read(1), run, run.seed());
     StaticDrive fourteen =
-        StaticDrive.of("equation 14", List.of(PublishedCurve.EQUATION_14), run, run.seed());
+        StaticDrive.of(
+            "equation 14", List.of(PublishedCurve.EQUATION_14), CsmFloor.read(3), run, run.seed());
     result.drives.add(nine);
     result.drives.add(fourteen);
     addTableI(result);
@@ -150,7 +152,7 @@ public final class CsmStatic implements Experiment {
     String robot = "robot " + floor.number();
     SmoothCurve curve = new SplineFitter(space).fit(planned.path().points());
     StaticDrive drive =
-        StaticDrive.of(robot + ", ours", curve.pieces(), run, run.seed() + floor.number());
+        StaticDrive.of(robot + ", ours", curve.pieces(), floor, run, run.seed() + floor.number());
     result.drives.add(drive);
     double[] published = PLANNED[floor.number() - 1];
     result.figures.add(
@@ -364,11 +366,12 @@ public final class CsmStatic implements Experiment {
               text(100 * drive.positionError(), 3),
               text(100 * drive.aside(), 3),
               text(drive.orientationError(), 4),
-              text(100 * drive.trueError(), 2)));
+              text(100 * drive.trueError(), 2),
+              text(100 * drive.trueErrorWithRanges(), 2)));
     }
     return new Table(
         "tracking",
-        "Driven (cm, rad): by the answers of the robot, and in truth",
+        "Driven (cm, rad): by the answers of the robot, and in truth without and with ranges",
         List.of(
             "path",
             "desired",
@@ -377,7 +380,8 @@ public final class CsmStatic implements Experiment {
             "position error",
             "beside",
             "orientation error",
-            "error in truth"),
+            "error in truth",
+            "with ranges"),
         rows);
   }
 
@@ -387,10 +391,17 @@ public final class CsmStatic implements Experiment {
     addSensitivity(rows, run, CsmParameters.LAG, 0.0, 0.05, 0.1, 0.2);
     addSensitivity(rows, run, CsmParameters.SLIP, 0.0, 0.01, 0.05);
     addSensitivity(rows, run, CsmParameters.WHEEL_SIZE, 0.0, 0.001, 0.01);
+    addSensitivity(rows, run, CsmParameters.RANGE_NOISE, 0.001, 0.03, 0.1);
     return new Table(
         "sensitivity",
         "Equation 9 with other values of one parameter",
-        List.of("parameter", "value", "position error (cm)", "orientation error", "in truth (cm)"),
+        List.of(
+            "parameter",
+            "value",
+            "position error (cm)",
+            "orientation error",
+            "in truth (cm)",
+            "with ranges"),
         rows);
   }
 
@@ -400,14 +411,19 @@ public final class CsmStatic implements Experiment {
       run.checkStopped();
       StaticDrive drive =
           StaticDrive.of(
-              "", List.of(PublishedCurve.EQUATION_9), run.with(parameter, value), run.seed());
+              "",
+              List.of(PublishedCurve.EQUATION_9),
+              CsmFloor.read(1),
+              run.with(parameter, value),
+              run.seed());
       rows.add(
           List.of(
               parameter.name(),
               Value.of(value, parameter.unit()).text(),
               text(100 * drive.positionError(), 3),
               text(drive.orientationError(), 4),
-              text(100 * drive.trueError(), 2)));
+              text(100 * drive.trueError(), 2),
+              text(100 * drive.trueErrorWithRanges(), 2)));
     }
   }
 

@@ -7,6 +7,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.SplittableRandom;
+import org.jspecify.annotations.Nullable;
 import org.toqa.avoidance.Encounter;
 import org.toqa.avoidance.MovingDisc;
 import org.toqa.avoidance.SafePace;
@@ -22,7 +23,8 @@ import org.toqa.motion.WheelCommand;
 
 /**
  * A body that drives a line among discs that move: it looks ahead, takes a detour where it would
- * meet one, slows down where nothing else is safe, and goes on. Where it is, is what it answers.
+ * meet one, slows down where nothing else is safe, and goes on. Where it is, is what it answers, or
+ * what ranges make of that.
  */
 final class DynamicDrive {
   /** Metres: the radius of the robot; what is planned for is larger by its position error. */
@@ -45,6 +47,7 @@ final class DynamicDrive {
   private static final int SETTLING = 30;
 
   private final Run run;
+  private final @Nullable RangedPose ranged;
   private final DetourPlanner detours;
   private final SafePace pace;
   private final TrackedDrive drive;
@@ -61,8 +64,29 @@ final class DynamicDrive {
   private double nearest = Double.POSITIVE_INFINITY;
   private final List<Double> planningMilliseconds = new ArrayList<>();
 
+  /** By its answers alone, and judged by them. */
   DynamicDrive(CsmFloor floor, DrivenLine line, List<MovingDisc> discs, Run run, long seed) {
+    this(floor, line, discs, run, seed, null);
+  }
+
+  /** With its pose corrected by ranges, and judged by where it is in truth. */
+  static DynamicDrive withRanges(
+      CsmFloor floor, DrivenLine line, List<MovingDisc> discs, Run run, long seed) {
+    double noise = run.value(CsmParameters.RANGE_NOISE);
+    RangedPose ranged =
+        new RangedPose(line.at(0), floor.grid(), noise, new SplittableRandom(~seed));
+    return new DynamicDrive(floor, line, discs, run, seed, ranged);
+  }
+
+  private DynamicDrive(
+      CsmFloor floor,
+      DrivenLine line,
+      List<MovingDisc> discs,
+      Run run,
+      long seed,
+      @Nullable RangedPose ranged) {
     this.run = run;
+    this.ranged = ranged;
     this.line = line;
     this.discs = discs;
     double radius = run.value(CsmParameters.RADIUS);
@@ -71,7 +95,7 @@ final class DynamicDrive {
     this.speeds = new LineSpeeds(line, PLANNED);
     TwoWheelBody body =
         new TwoWheelBody(line.at(0), LIMITS, CsmParameters.faults(run), new SplittableRandom(seed));
-    this.drive = new TrackedDrive(body, run.value(CsmParameters.DELAY), LIMITS);
+    this.drive = new TrackedDrive(body, run.value(CsmParameters.DELAY), LIMITS, ranged);
   }
 
   /** Drives to the end of the line, or for a minute. */
@@ -126,9 +150,9 @@ final class DynamicDrive {
   }
 
   private void step(Twist twist, Twist then) {
-    drive.step(line.at(metres), twist, then);
+    drive.step(line.at(metres), twist, then, discs);
     discs = discs.stream().map(disc -> disc.after(WheelCommand.SAMPLE)).toList();
-    Pose at = drive.body().answer();
+    Pose at = ranged != null ? drive.body().truth() : drive.body().answer();
     boolean stands = drive.body().speed() < STANDING;
     for (MovingDisc disc : discs) {
       double gap = at.position().distanceTo(disc.position()) - BODY - disc.radius();
@@ -170,6 +194,17 @@ final class DynamicDrive {
 
   double secondsStood() {
     return samplesStood * WheelCommand.SAMPLE;
+  }
+
+  /** Metres by which the robot was in truth away from its reference, at most. */
+  double trueError() {
+    return drive.most(TrackedDrive.Sample::trueError);
+  }
+
+  /** How many of its ranges did not fit the map, of those of which it made something. */
+  String refusedRanges() {
+    RangedPose pose = ranged;
+    return pose == null ? "-" : pose.refused() + " of " + (pose.used() + pose.refused());
   }
 
   /** Metres between the robot and the nearest disc, while it drove. */

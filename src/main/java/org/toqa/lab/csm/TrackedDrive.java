@@ -4,6 +4,8 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Function;
 import java.util.function.ToDoubleFunction;
+import org.jspecify.annotations.Nullable;
+import org.toqa.avoidance.MovingDisc;
 import org.toqa.driving.WheelTracker;
 import org.toqa.geometry.Angles;
 import org.toqa.geometry.Pose;
@@ -15,7 +17,8 @@ import org.toqa.motion.WheelSchedule;
 
 /**
  * A body that is kept on a moving reference by {@link WheelTracker}, over a network that delays
- * commands and answers: an answer tells where the robot was as a command came into effect.
+ * commands and answers: an answer tells where the robot was as a command came into effect, by its
+ * wheels alone, or corrected by its ranges.
  */
 final class TrackedDrive {
   /** Samples after the last one of a schedule. */
@@ -24,6 +27,7 @@ final class TrackedDrive {
   private final WheelTracker tracker;
   private final TwoWheelBody body;
   private final int late;
+  private final @Nullable RangedPose ranged;
 
   /** Where the robot was by its answers as each command came into effect. */
   private final List<Pose> answers = new ArrayList<>();
@@ -47,10 +51,13 @@ final class TrackedDrive {
 
   /**
    * @param delay seconds from a command to its answer
+   * @param ranged what corrects the answers by ranges; null: nothing does
    */
-  TrackedDrive(TwoWheelBody body, double delay, DifferentialLimits limits) {
+  TrackedDrive(
+      TwoWheelBody body, double delay, DifferentialLimits limits, @Nullable RangedPose ranged) {
     this.tracker = new WheelTracker(limits, CsmParameters.RESPONSE);
     this.body = body;
+    this.ranged = ranged;
     this.late = (int) Math.ceil(delay / WheelCommand.SAMPLE - 1e-9);
   }
 
@@ -60,17 +67,19 @@ final class TrackedDrive {
       Pose start,
       TwoWheelBody body,
       double delay,
-      DifferentialLimits limits) {
-    TrackedDrive drive = new TrackedDrive(body, delay, limits);
+      DifferentialLimits limits,
+      @Nullable RangedPose ranged) {
+    TrackedDrive drive = new TrackedDrive(body, delay, limits, ranged);
     Pose reference = start;
     List<WheelCommand> commands = schedule.commands();
     for (int i = 0; i < commands.size(); i++) {
       Twist twist = twist(commands.get(i));
-      drive.step(reference, twist, twist(commands.get(Math.min(i + 1, commands.size() - 1))));
+      Twist then = twist(commands.get(Math.min(i + 1, commands.size() - 1)));
+      drive.step(reference, twist, then, List.of());
       reference = reference.advanced(twist, WheelCommand.SAMPLE);
     }
     for (int i = 0; i < SETTLING; i++) {
-      drive.step(reference, Twist.ZERO, Twist.ZERO);
+      drive.step(reference, Twist.ZERO, Twist.ZERO, List.of());
     }
     return drive;
   }
@@ -85,11 +94,16 @@ final class TrackedDrive {
    * @param reference where the robot should be at its start
    * @param twist how the reference moves in it
    * @param then how it moves in the next one
+   * @param discs that ranges may meet
    */
-  void step(Pose reference, Twist twist, Twist then) {
+  void step(Pose reference, Twist twist, Twist then, List<MovingDisc> discs) {
     answers.add(body.answer());
+    if (ranged != null) {
+      ranged.add(body.answer(), body.truth(), discs);
+    }
     int answered = Math.max(0, tracker.sent() - late);
-    WheelCommand command = tracker.next(reference, twist, then, answered, answers.get(answered));
+    Pose pose = ranged == null ? answers.get(answered) : ranged.pose(answered);
+    WheelCommand command = tracker.next(reference, twist, then, answered, pose);
     samples.add(new Sample(reference, body.answer(), body.truth(), command));
     body.drive(command);
   }

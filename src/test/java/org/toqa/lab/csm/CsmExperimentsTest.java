@@ -38,13 +38,14 @@ class CsmExperimentsTest {
     SmoothCurve curve =
         new SplineFitter(space).fit(Objects.requireNonNull(planned.path()).points());
 
-    StaticDrive drive = StaticDrive.of("path", curve.pieces(), Run.of(1, 1), number);
+    StaticDrive drive = StaticDrive.of("path", curve.pieces(), floor, Run.of(1, 1), number);
 
     assertTrue(drive.positionError() < 0.015, "metres: " + drive.positionError());
     assertTrue(drive.aside() < 0.015, "metres beside its curve: " + drive.aside());
     assertTrue(drive.orientationError() < 0.1, "radians: " + drive.orientationError());
     assertTrue(drive.wheelSpeed() <= 0.52 + 1e-12);
     assertTrue(drive.trueError() > drive.positionError(), "slip is not seen by wheel counts");
+    assertTrue(drive.trueErrorWithRanges() < 0.015, "metres: " + drive.trueErrorWithRanges());
     Vec2 end = drive.drive().body().answer().position();
     assertEquals(0, end.distanceTo(floor.goal()), 0.005);
   }
@@ -108,6 +109,12 @@ class CsmExperimentsTest {
     assertEquals(Value.of("0 of 6"), contacts.measured());
     List<String> drives = report.tables().getFirst().rows().getFirst();
     assertEquals("1", drives.get(3), "robot 1 takes one detour");
+    for (List<String> row : report.tables().getFirst().rows()) {
+      double inTruth = Double.parseDouble(row.get(6));
+      double withRanges = Double.parseDouble(row.get(7));
+      assertTrue(withRanges < 1.5 && withRanges < inTruth / 2, row::toString);
+      assertTrue(Double.parseDouble(row.get(9)) > 0, row::toString);
+    }
   }
 
   @Test
