@@ -43,8 +43,8 @@ final class ChassisFactory {
                   body.surroundings()),
               config.arm(),
               folder);
-      case ChassisConfig.Http(var robot, var description, var listener) ->
-          HttpChassis.open(robot, description, listener, folder.resolve("odometry"), nanos);
+      case ChassisConfig.Http(var robot, var description, var listener, var ranges) ->
+          HttpChassis.open(robot, description, listener, ranges, folder.resolve("odometry"), nanos);
       case ChassisConfig.SimulatedFirmware(var socket, var start, var ranges, var settings) ->
           openFirmware(config, new SimulatorTransport(socket), start, ranges, settings, nanos);
       case ChassisConfig.Spi(var device, var hertz, var wordDelay, var ranges, var settings) ->

@@ -274,6 +274,7 @@ public final class Daemon implements AutoCloseable {
     nanos = now;
     chassis.setLoad(control.load());
     chassis.setSharedLoad(control.sharedLoad().orElse(null));
+    chassis.setAnchor(control.anchor());
     control.update(chassis.exchange(command, now), now / 1e9);
     connections.process(messageHandler, now);
     broadcasts.takeAnswers().forEach(control::handle);

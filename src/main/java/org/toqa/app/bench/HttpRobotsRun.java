@@ -29,14 +29,15 @@ import org.toqa.link.http.HttpRobotAddress;
 import org.toqa.link.http.HttpRobotClient;
 import org.toqa.link.http.HttpRobotException;
 import org.toqa.link.http.RobotToken;
-import org.toqa.link.message.AgentMessage;
 import org.toqa.link.message.AgentMessage.Hello;
 import org.toqa.link.message.AgentMessage.Mode;
 import org.toqa.link.message.AgentMessage.State;
+import org.toqa.link.message.AgentMessage;
 import org.toqa.link.message.ServerMessage.Drive;
 import org.toqa.link.message.ServerMessage.Locate;
 import org.toqa.link.trust.IdentityFile;
 import org.toqa.link.trust.LinkTls;
+import org.toqa.localisation.RangeSource;
 import org.toqa.motion.Segment;
 import org.toqa.wording.Sentence;
 
@@ -104,7 +105,13 @@ final class HttpRobotsRun implements AutoCloseable {
     parts.push(client);
     DrivenHttpRobot robot = new DrivenHttpRobot();
     HttpRobotDaemon daemon =
-        HttpRobotDaemon.open(name, folder.resolve(name), client, robot, InstantSource.system());
+        HttpRobotDaemon.open(
+            name,
+            folder.resolve(name),
+            client,
+            robot,
+            RangeSource.NONE,
+            InstantSource.system());
     parts.push(daemon);
     Thread thread = Thread.ofPlatform().daemon().start(() -> daemon.run(robot::goesOn));
     parts.push(() -> robot.stop(thread));

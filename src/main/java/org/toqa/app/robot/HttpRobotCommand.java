@@ -142,7 +142,8 @@ public final class HttpRobotCommand implements Callable<Integer> {
             sizeError,
             seed,
             maxLoad,
-            Duration.ofMillis(delay));
+            Duration.ofMillis(delay),
+            null);
     try (StopSignal stop = new StopSignal();
         SimulatedHttpRobot robot = new SimulatedHttpRobot(settings)) {
       System.err.println("Listening on " + address + " port " + robot.port() + ".");

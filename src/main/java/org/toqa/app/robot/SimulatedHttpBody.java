@@ -40,6 +40,7 @@ final class SimulatedHttpBody implements AutoCloseable {
 
   private final SimulatedChassis chassis;
   private final double maxLoad;
+  private final RobotDescription.@Nullable Sonar sonar;
   private final long boot;
   private ChassisReading reading;
   private long seq;
@@ -52,6 +53,7 @@ final class SimulatedHttpBody implements AutoCloseable {
    * @param slip standard deviation of a wheel's slip, as a share of what it turns
    * @param sizeError standard deviation of a wheel's constant error in size, as a share of it
    * @param maxLoad kilograms
+   * @param sonar that it tells of; null: none
    * @param surroundings is told where the body really is
    */
   SimulatedHttpBody(
@@ -61,9 +63,11 @@ final class SimulatedHttpBody implements AutoCloseable {
       double sizeError,
       long seed,
       double maxLoad,
+      RobotDescription.@Nullable Sonar sonar,
       Surroundings surroundings)
       throws IOException {
     this.maxLoad = maxLoad;
+    this.sonar = sonar;
     SimulatedWheels wheels = new SimulatedWheels(WHEELS, slip, sizeError);
     if (folder == null) {
       chassis = new SimulatedChassis(start, wheels, seed, surroundings);
@@ -106,6 +110,7 @@ final class SimulatedHttpBody implements AutoCloseable {
         maxLoad,
         FOOTPRINT,
         false,
+        sonar,
         boot,
         seq);
   }

@@ -17,6 +17,7 @@ import org.toqa.agent.chassis.Surroundings;
 import org.toqa.geometry.Pose;
 import org.toqa.link.http.HttpRobotCodec;
 import org.toqa.link.http.HttpRobotException;
+import org.toqa.link.http.RobotDescription;
 import org.toqa.link.http.RobotToken;
 import org.toqa.link.http.WheelReport;
 import org.toqa.link.trust.HttpTls;
@@ -73,6 +74,7 @@ public final class SimulatedHttpRobot implements AutoCloseable {
    * @param sizeError standard deviation of a wheel's constant error in size, as a share of it
    * @param maxLoad kilograms
    * @param delay with which it answers orders
+   * @param sonar that it tells of; null: none
    */
   public record Settings(
       InetAddress address,
@@ -85,12 +87,13 @@ public final class SimulatedHttpRobot implements AutoCloseable {
       double sizeError,
       long seed,
       double maxLoad,
-      Duration delay) {
+      Duration delay,
+      RobotDescription.@Nullable Sonar sonar) {
 
     /** On a free port of loopback, with an exact body that is not kept, which answers at once. */
     public static Settings of(RobotToken token, Pose start) {
       return new Settings(
-          InetAddress.getLoopbackAddress(), 0, token, null, null, start, 0, 0, 1, 5, Duration.ZERO);
+          InetAddress.getLoopbackAddress(), 0, token, null, null, start, 0, 0, 1, 5, Duration.ZERO, null);
     }
   }
 
@@ -119,6 +122,7 @@ public final class SimulatedHttpRobot implements AutoCloseable {
             settings.sizeError(),
             settings.seed(),
             settings.maxLoad(),
+            settings.sonar(),
             surroundings);
     InetSocketAddress address = new InetSocketAddress(settings.address(), settings.port());
     try {

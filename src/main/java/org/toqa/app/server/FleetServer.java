@@ -183,12 +183,13 @@ public final class FleetServer implements AutoCloseable {
       shared.simulated().set(simulated);
     }
     JdbiScheduleStore schedules = new JdbiScheduleStore(database.jdbi());
+    PublishedRanges ranges = new PublishedRanges(System::nanoTime);
     AgentFleet fleet =
         new AgentFleet(
             floorStore,
             store,
             schedules,
-            ServerLinks.open(site, configuration, shared, clock, parts),
+            ServerLinks.open(site, configuration, shared, clock, ranges, parts),
             configuration.allocationPolicy().method(),
             new FleetRules(
                 configuration.reassignAfter(),
@@ -287,6 +288,7 @@ public final class FleetServer implements AutoCloseable {
             .open(
                 site,
                 fleet,
+                ranges,
                 new JdbiTelemetryStore(database.jdbi(), wallClock),
                 sessions,
                 wallClock,

@@ -15,6 +15,7 @@ import org.toqa.link.RobotAddress;
 import org.toqa.link.http.ExchangeListener;
 import org.toqa.link.http.HttpRobotClient;
 import org.toqa.link.http.RobotDescription;
+import org.toqa.localisation.RangeSource;
 import org.toqa.motion.DriveKind;
 
 /**
@@ -49,6 +50,7 @@ public final class HttpRobotDaemon implements AutoCloseable {
    * @param folder of the daemon
    * @param client is closed by whoever made it, after the daemon
    * @param listener is told of each exchange, in the thread of {@link #run}
+   * @param ranges that it publishes
    * @param clock for stamps
    * @throws org.toqa.link.http.HttpRobotException the robot does not answer as it should
    * @throws IOException the folder cannot be used
@@ -58,6 +60,7 @@ public final class HttpRobotDaemon implements AutoCloseable {
       Path folder,
       HttpRobotClient client,
       ExchangeListener listener,
+      RangeSource ranges,
       InstantSource clock)
       throws IOException {
     RobotDescription body = client.describe();
@@ -75,7 +78,7 @@ public final class HttpRobotDaemon implements AutoCloseable {
             new MotionLimits(
                 SHARE_OF_SPEED * body.maxSpeed(), turnRate, ACCELERATION, TURN_ACCELERATION),
             AgentConfig.Following.of(DriveKind.DIFFERENTIAL),
-            new ChassisConfig.Http(client, body, listener));
+            new ChassisConfig.Http(client, body, listener, ranges));
     return new HttpRobotDaemon(Daemon.open(config, clock, System.nanoTime()));
   }
 

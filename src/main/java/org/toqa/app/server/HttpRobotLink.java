@@ -24,6 +24,7 @@ import org.toqa.link.message.AgentMessage;
 import org.toqa.link.message.AgentMessage.Hello;
 import org.toqa.link.message.ServerMessage;
 import org.toqa.link.trust.Fingerprint;
+import org.toqa.localisation.RangeSource;
 import org.toqa.wording.Phrase;
 import org.toqa.wording.Sentence;
 
@@ -69,6 +70,7 @@ final class HttpRobotLink implements RobotLink, ExchangeListener {
    * @param folder of the robot's daemon
    * @param server the certificate by which the daemon knows the server
    * @param plainOffLoopback whether a robot on another machine may do without encryption
+   * @param ranges that the robot publishes
    * @param clock for stamps
    */
   record Surroundings(
@@ -76,6 +78,7 @@ final class HttpRobotLink implements RobotLink, ExchangeListener {
       Path folder,
       Fingerprint server,
       boolean plainOffLoopback,
+      RangeSource ranges,
       InstantSource clock) {}
 
   HttpRobotLink(
@@ -143,7 +146,12 @@ final class HttpRobotLink implements RobotLink, ExchangeListener {
     try (HttpRobotClient client = new HttpRobotClient(robot);
         HttpRobotDaemon daemon =
             HttpRobotDaemon.open(
-                address.robot(), surroundings.folder(), client, this, surroundings.clock());
+                address.robot(),
+                surroundings.folder(),
+                client,
+                this,
+                surroundings.ranges(),
+                surroundings.clock());
         RobotLink opened = surroundings.daemonLinks().open(daemon.address(), relay)) {
       link = opened;
       daemon.run(() -> !closed && !isLost());

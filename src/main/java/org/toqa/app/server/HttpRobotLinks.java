@@ -21,6 +21,7 @@ final class HttpRobotLinks implements RobotLinkFactory {
   private final Path folder;
   private final Fingerprint server;
   private final boolean plainOffLoopback;
+  private final PublishedRanges ranges;
   private final InstantSource clock;
 
   /**
@@ -29,6 +30,7 @@ final class HttpRobotLinks implements RobotLinkFactory {
    * @param folder one folder for each of these is kept in it, with the robot's name
    * @param server the certificate by which they know the server
    * @param plainOffLoopback whether robots on other machines may be spoken to without encryption
+   * @param ranges that robots of the site publish
    * @param clock for stamps
    */
   HttpRobotLinks(
@@ -37,12 +39,14 @@ final class HttpRobotLinks implements RobotLinkFactory {
       Path folder,
       Fingerprint server,
       boolean plainOffLoopback,
+      PublishedRanges ranges,
       InstantSource clock) {
     this.links = links;
     this.daemonLinks = daemonLinks;
     this.folder = folder;
     this.server = server;
     this.plainOffLoopback = plainOffLoopback;
+    this.ranges = ranges;
     this.clock = clock;
   }
 
@@ -57,7 +61,12 @@ final class HttpRobotLinks implements RobotLinkFactory {
             address,
             new HttpRobotAddress(address.host(), address.port(), token, address.fingerprint()),
             new HttpRobotLink.Surroundings(
-                daemonLinks, folder.resolve(address.robot()), server, plainOffLoopback, clock),
+                daemonLinks,
+                folder.resolve(address.robot()),
+                server,
+                plainOffLoopback,
+                ranges.of(address.robot()),
+                clock),
             listener);
     link.start();
     return link;

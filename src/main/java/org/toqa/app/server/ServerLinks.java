@@ -26,6 +26,7 @@ final class ServerLinks {
 
   /**
    * @param site whose robots these are
+   * @param ranges that its robots publish
    * @param parts gets what is to be closed
    * @throws IOException the server's key cannot be read, or gateways cannot be listened for
    */
@@ -34,6 +35,7 @@ final class ServerLinks {
       Configuration configuration,
       ServerParts shared,
       VirtualClock clock,
+      PublishedRanges ranges,
       Deque<AutoCloseable> parts)
       throws IOException {
     LinkTls tls = new LinkTls(IdentityFile.open(configuration.data()));
@@ -49,6 +51,7 @@ final class ServerLinks {
         configuration.data().resolve("http-robots"),
         tls.fingerprint(),
         configuration.plainLinks(),
+        ranges,
         shared.clock());
   }
 

@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.time.InstantSource;
 import java.util.Deque;
 import java.util.Locale;
+import java.util.Optional;
 import org.jspecify.annotations.Nullable;
 import org.toqa.accounts.Scope;
 import org.toqa.accounts.Secret;
@@ -13,6 +14,8 @@ import org.toqa.accounts.Site;
 import org.toqa.fleet.RobotView;
 import org.toqa.fleet.TaskView;
 import org.toqa.fleet.manager.AgentFleet;
+import org.toqa.localisation.GridWalls;
+import org.toqa.localisation.Walls;
 import org.toqa.telemetry.Telemetry;
 import org.toqa.telemetry.TelemetryStore;
 import org.toqa.telemetry.Topics;
@@ -56,6 +59,7 @@ record ServerTelemetry(@Nullable EmbeddedBroker broker, BrokerSettings.@Nullable
   /**
    * Begins to hear and publish for a site.
    *
+   * @param ranges gets those that its robots publish
    * @param parts gets what is to be closed
    * @return null: there is no broker
    * @throws IOException the certificates of an external broker cannot be used
@@ -63,6 +67,7 @@ record ServerTelemetry(@Nullable EmbeddedBroker broker, BrokerSettings.@Nullable
   @Nullable Telemetry open(
       Site site,
       AgentFleet fleet,
+      PublishedRanges ranges,
       TelemetryStore store,
       SessionStore sessions,
       InstantSource clock,
@@ -70,7 +75,7 @@ record ServerTelemetry(@Nullable EmbeddedBroker broker, BrokerSettings.@Nullable
       throws IOException {
     EmbeddedBroker own = broker;
     if (own != null) {
-      Telemetry telemetry = telemetry(site, own.address(), true, fleet, store, clock);
+      Telemetry telemetry = telemetry(site, own.address(), true, fleet, ranges, store, clock);
       own.add(site.name(), new Users(site, telemetry, sessions));
       parts.push(() -> own.remove(site.name()));
       connect(
@@ -88,7 +93,7 @@ record ServerTelemetry(@Nullable EmbeddedBroker broker, BrokerSettings.@Nullable
       return null;
     }
     BrokerAddress address = BrokerAddress.of(external);
-    Telemetry telemetry = telemetry(site, address, false, fleet, store, clock);
+    Telemetry telemetry = telemetry(site, address, false, fleet, ranges, store, clock);
     connect(site, address, external.user(), external.password(), telemetry, fleet, clock, parts);
     return telemetry;
   }
@@ -98,6 +103,7 @@ record ServerTelemetry(@Nullable EmbeddedBroker broker, BrokerSettings.@Nullable
       BrokerAddress address,
       boolean isEmbedded,
       AgentFleet fleet,
+      PublishedRanges ranges,
       TelemetryStore store,
       InstantSource clock) {
     Telemetry telemetry =
@@ -105,11 +111,26 @@ record ServerTelemetry(@Nullable EmbeddedBroker broker, BrokerSettings.@Nullable
             site.name(),
             new Telemetry.BrokerPlace(address.shown(), isEmbedded),
             new RobotNames(fleet.snapshots()),
-            (robot, seen) -> fleet.tellRanges(robot, seen.values(), seen.angles()),
+            (robot, seen) -> {
+              fleet.tellRanges(robot, seen.values(), seen.angles());
+              ranges.put(robot, seen.values(), seen.angles(), () -> walls(fleet, robot));
+            },
             store,
             clock);
     fleet.addRobotCheck(telemetry::alerts);
     return telemetry;
+  }
+
+  private static Optional<Walls> walls(AgentFleet fleet, String robot) {
+    return fleet.snapshots().latest().robots().stream()
+        .filter(view -> view.name().equals(robot))
+        .findFirst()
+        .flatMap(
+            view ->
+                fleet.floors().stream()
+                    .filter(floor -> floor.name().equals(view.floor()))
+                    .findFirst())
+        .map(floor -> new GridWalls(floor.drawing().walls()));
   }
 
   private static void connect(

@@ -96,7 +96,7 @@ public final class HttpRobotCodec {
   }
 
   public static byte[] encode(RobotDescription robot) {
-    return bytes(
+    ObjectNode json =
         MAPPER
             .createObjectNode()
             .put("version", RobotDescription.VERSION)
@@ -108,7 +108,14 @@ public final class HttpRobotCodec {
             .put("footprint", robot.footprint())
             .put("rangeSensors", robot.hasRangeSensors())
             .put("boot", robot.boot())
-            .put("seq", robot.seq()));
+            .put("seq", robot.seq());
+    RobotDescription.Sonar sonar = robot.sonar();
+    if (sonar != null) {
+      json.putObject("sonar")
+          .put("farthest", rounded(sonar.farthest()))
+          .put("deviation", rounded(sonar.deviation()));
+    }
+    return bytes(json);
   }
 
   private static double rounded(double number) {
@@ -216,8 +223,17 @@ public final class HttpRobotCodec {
         number(json, "maxLoad", 0, 10_000),
         number(json, "footprint", 0.05, 5),
         isSent(json, "rangeSensors") && flag(json, "rangeSensors"),
+        isSent(json, "sonar") ? sonar(json.path("sonar")) : null,
         whole(json, "boot", 1, LARGEST_NUMBER),
         whole(json, "seq", 0, LARGEST_NUMBER));
+  }
+
+  private static RobotDescription.Sonar sonar(JsonNode sonar) throws HttpRobotException {
+    if (!sonar.isObject()) {
+      throw nonsense("sonar", "an object");
+    }
+    return new RobotDescription.Sonar(
+        number(sonar, "farthest", 0.1, 30), number(sonar, "deviation", 0.001, 0.5));
   }
 
   private static JsonNode read(byte[] body) throws HttpRobotException {

@@ -1,5 +1,6 @@
 package org.toqa.link.http;
 
+import org.jspecify.annotations.Nullable;
 import org.toqa.motion.DifferentialKinematics;
 
 /**
@@ -12,6 +13,7 @@ import org.toqa.motion.DifferentialKinematics;
  * @param maxLoad kilograms, 0 to 10,000
  * @param footprint diameter in metres, 0.05 to 5
  * @param hasRangeSensors whether each report has the three ranges
+ * @param sonar null: its place is not corrected by ranges
  * @param boot another number whenever the counts have begun anew
  * @param seq of the last command that it obeyed; 0 for none
  */
@@ -23,8 +25,19 @@ public record RobotDescription(
     double maxLoad,
     double footprint,
     boolean hasRangeSensors,
+    @Nullable Sonar sonar,
     long boot,
     long seq) {
+
+  /**
+   * Ultrasonic sensors on its rim, whose ranges it publishes by MQTT with their angles, and by which
+   * its place shall be corrected.
+   *
+   * @param farthest metres: what is told as this, or as more, is nothing; 0.1 to 30
+   * @param deviation standard deviation of a range on the floor from that on the map, metres, 0.001
+   *     to 0.5
+   */
+  public record Sonar(double farthest, double deviation) {}
 
   /** The version of the commands and reports here. */
   public static final int VERSION = 1;

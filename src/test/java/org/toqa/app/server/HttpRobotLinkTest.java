@@ -9,7 +9,10 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.time.InstantSource;
+import java.util.ArrayList;
+import java.util.BitSet;
 import java.util.List;
+import java.util.Optional;
 import java.util.concurrent.Executors;
 import java.util.concurrent.ScheduledExecutorService;
 import java.util.concurrent.TimeUnit;
@@ -24,10 +27,13 @@ import org.junit.jupiter.params.provider.EnumSource;
 import org.toqa.app.robot.SimulatedHttpRobot;
 import org.toqa.app.robot.SimulatedHttpRobot.Fault;
 import org.toqa.geometry.Pose;
+import org.toqa.geometry.Vec2;
+import org.toqa.grid.OccupancyGrid;
 import org.toqa.link.RobotAddress;
 import org.toqa.link.RobotLink;
 import org.toqa.link.RobotLinkFactory;
 import org.toqa.link.TcpRobotLinkFactory;
+import org.toqa.link.http.RobotDescription.Sonar;
 import org.toqa.link.http.RobotToken;
 import org.toqa.link.message.AgentMessage.Done;
 import org.toqa.link.message.AgentMessage.Hello;
@@ -39,6 +45,8 @@ import org.toqa.link.message.ServerMessage.Ping;
 import org.toqa.link.trust.Fingerprint;
 import org.toqa.link.trust.IdentityFile;
 import org.toqa.link.trust.LinkTls;
+import org.toqa.localisation.GridWalls;
+import org.toqa.localisation.Walls;
 import org.toqa.motion.Segment;
 import org.toqa.testbed.LinkRecorder;
 
@@ -51,6 +59,7 @@ class HttpRobotLinkTest {
   private final LinkRecorder heard = new LinkRecorder();
   private final AtomicLong seq = new AtomicLong();
   private final ScheduledExecutorService pings = Executors.newScheduledThreadPool(1);
+  private final PublishedRanges ranges = new PublishedRanges(System::nanoTime);
   private HttpRobotLinks links;
   private SimulatedHttpRobot robot;
   private @Nullable RobotLink link;
@@ -61,14 +70,20 @@ class HttpRobotLinkTest {
     RobotLinkFactory tcp = new TcpRobotLinkFactory(tls, false);
     links =
         new HttpRobotLinks(
-            tcp, tcp, folder.resolve("robots"), tls.fingerprint(), false, InstantSource.system());
+            tcp,
+            tcp,
+            folder.resolve("robots"),
+            tls.fingerprint(),
+            false,
+            ranges,
+            InstantSource.system());
     robot = new SimulatedHttpRobot(settings(0, null));
   }
 
   private SimulatedHttpRobot.Settings settings(int port, @Nullable Path body) {
     SimulatedHttpRobot.Settings usual = SimulatedHttpRobot.Settings.of(TOKEN, START);
     return new SimulatedHttpRobot.Settings(
-        usual.address(), port, TOKEN, null, body, START, 0.005, 0, 1, 5, Duration.ZERO);
+        usual.address(), port, TOKEN, null, body, START, 0.005, 0, 1, 5, Duration.ZERO, null);
   }
 
   @AfterEach
@@ -134,6 +149,53 @@ class HttpRobotLinkTest {
     assertEquals(4.5, end.pose().y(), 0.02);
     assertEquals(4, robot.truePose().x(), 0.05);
     assertEquals(4.5, robot.truePose().y(), 0.05);
+  }
+
+  /**
+   * In a room of 6 m x 8 m; behind it somebody stands. Its wheels are so unlike that by their
+   * counts alone it ends beside its path by more than a hand.
+   */
+  @Test
+  void rangesThatItPublishesCorrectWhereItTakesItselfToBe() throws Exception {
+    robot.close();
+    SimulatedHttpRobot.Settings usual = SimulatedHttpRobot.Settings.of(TOKEN, START);
+    Sonar sonar = new Sonar(5, 0.01);
+    robot =
+        new SimulatedHttpRobot(
+            new SimulatedHttpRobot.Settings(
+                usual.address(), 0, TOKEN, null, null, START, 0, 0.03, 2, 5, Duration.ZERO, sonar));
+    Walls room = new GridWalls(new OccupancyGrid(60, 80, 0.1, Vec2.ZERO, new BitSet()));
+    RobotLink opened = connect();
+    heard.await(Hello.class);
+    var _ = pings.scheduleAtFixedRate(() -> publish(room), 0, 50, TimeUnit.MILLISECONDS);
+
+    opened.send(
+        new Locate(
+            seq.incrementAndGet(), new Pose(START.x() + 0.05, START.y() - 0.04, START.theta())));
+    State corrected =
+        heard.await(
+            State.class, state -> state.localised() && state.pose().distanceTo(START) < 0.01);
+    List<Segment> metre = List.of(new Segment(0.25, 0, 4));
+    opened.send(
+        new Drive(seq.incrementAndGet(), 5L, 1, corrected.pose(), metre, 1, true, 0));
+    heard.await(Done.class);
+    State end = heard.await(State.class, state -> state.mode() == Mode.IDLE);
+
+    assertEquals(0, end.pose().distanceTo(robot.truePose()), 0.03, end.pose()::toString);
+    assertEquals(0, robot.truePose().distanceTo(new Pose(4, 4, 0)), 0.05);
+  }
+
+  /** What four sensors on its rim see of the room, ahead, to both sides and back. */
+  private void publish(Walls room) {
+    Pose truth = robot.truePose();
+    List<Double> angles = List.of(0.0, Math.PI / 2, Math.PI, -Math.PI / 2);
+    List<Double> metres = new ArrayList<>();
+    for (double angle : angles) {
+      Pose rim = new Pose(0.1275 * Math.cos(angle), 0.1275 * Math.sin(angle), angle);
+      metres.add(
+          angle == Math.PI ? 0.6 : room.hit(truth.compose(rim), 20).orElseThrow().distance());
+    }
+    ranges.put("h1", metres, angles, () -> Optional.of(room));
   }
 
   @Test
@@ -241,7 +303,7 @@ class HttpRobotLinkTest {
     robot =
         new SimulatedHttpRobot(
             new SimulatedHttpRobot.Settings(
-                usual.address(), 0, TOKEN, identity, null, START, 0, 0, 1, 5, Duration.ZERO));
+                usual.address(), 0, TOKEN, identity, null, START, 0, 0, 1, 5, Duration.ZERO, null));
     RobotLink distrustful = connect(TOKEN, new Fingerprint("0".repeat(64)));
     String sentence = heard.await(LinkRecorder.Refusal.class).sentence();
     assertTrue(sentence.contains("another certificate"), sentence);

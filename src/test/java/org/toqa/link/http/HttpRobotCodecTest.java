@@ -116,6 +116,9 @@ class HttpRobotCodecTest {
     String right = goldenLines().getFirst().substring("description ".length());
     return Stream.of(
         right.replace("\"version\":1", "\"version\":2"),
+        right.replace("\"seq\":0", "\"seq\":0,\"sonar\":true"),
+        right.replace("\"seq\":0", "\"seq\":0,\"sonar\":{\"farthest\":4}"),
+        right.replace("\"seq\":0", "\"seq\":0,\"sonar\":{\"farthest\":4,\"deviation\":0}"),
         right.replace("\"track\":0.2", "\"track\":0"),
         right.replace("\"maxSpeed\":0.52", "\"maxSpeed\":100"),
         right.replace("\"countsPerTurn\":2808", "\"countsPerTurn\":2808.5"),

@@ -5,6 +5,7 @@ import java.util.Optional;
 import java.util.Set;
 import org.jspecify.annotations.Nullable;
 import org.toqa.agent.chassis.ChassisCommand.MoveAt;
+import org.toqa.geometry.Pose;
 import org.toqa.geometry.Twist;
 
 /**
@@ -58,6 +59,13 @@ public interface Chassis extends AutoCloseable {
    * @param load null: none
    */
   default void setSharedLoad(@Nullable SharedLoad load) {}
+
+  /**
+   * Tells a body that measures the map where it is; as {@link #setLoad}.
+   *
+   * @param anchor the map's pose of the origin of its odometry; null: nobody knows
+   */
+  default void setAnchor(@Nullable Pose anchor) {}
 
   /** Its arm; empty where it has none. It is closed with the body. */
   default Optional<ArmDrive> arm() {

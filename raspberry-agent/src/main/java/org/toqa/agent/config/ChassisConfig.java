@@ -10,6 +10,7 @@ import org.toqa.geometry.Pose;
 import org.toqa.link.http.ExchangeListener;
 import org.toqa.link.http.HttpRobotClient;
 import org.toqa.link.http.RobotDescription;
+import org.toqa.localisation.RangeSource;
 import org.toqa.motion.DriveKind;
 import org.toqa.motion.ThreeWheelKinematics;
 
@@ -133,8 +134,13 @@ public sealed interface ChassisConfig {
    * @param robot is closed by whoever made it, after the daemon
    * @param description what it said of itself
    * @param listener is told of each exchange, in the thread that ticks
+   * @param ranges that it publishes, for a robot whose place they correct
    */
-  record Http(HttpRobotClient robot, RobotDescription description, ExchangeListener listener)
+  record Http(
+      HttpRobotClient robot,
+      RobotDescription description,
+      ExchangeListener listener,
+      RangeSource ranges)
       implements ChassisConfig {
 
     @Override

@@ -143,6 +143,11 @@ public final class RobotControl {
     return record.pose();
   }
 
+  /** The map's pose of the origin of the body's odometry; null while the robot is not localised. */
+  public @Nullable Pose anchor() {
+    return record.anchor();
+  }
+
   /** The last phase that was driven to its end, until the server has stored that. */
   public Optional<PhaseEnd> done() {
     return Optional.ofNullable(record.entry().done());

@@ -122,7 +122,8 @@ final class RobotRecord {
     return anchor() != null;
   }
 
-  private @Nullable Pose anchor() {
+  /** The map's pose of the origin of the body's odometry; null where it is not known. */
+  @Nullable Pose anchor() {
     return entry().powerCycle() == reading.powerCycle() ? entry().anchor() : null;
   }
 

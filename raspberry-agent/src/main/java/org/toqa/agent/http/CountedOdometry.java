@@ -156,6 +156,11 @@ final class CountedOdometry implements AutoCloseable {
     return odometry.pose();
   }
 
+  /** Corrects that. */
+  void setPose(Pose pose) {
+    odometry.setPose(pose);
+  }
+
   /** In the robot's frame. */
   Twist twist() {
     return twist;

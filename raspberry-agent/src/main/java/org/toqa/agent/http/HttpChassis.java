@@ -15,6 +15,7 @@ import org.toqa.agent.chassis.ChassisCommand.MoveAt;
 import org.toqa.agent.chassis.ChassisReading;
 import org.toqa.agent.chassis.SegmentQueue;
 import org.toqa.avoidance.RangeSensors;
+import org.toqa.geometry.Pose;
 import org.toqa.geometry.Twist;
 import org.toqa.link.http.ExchangeListener;
 import org.toqa.link.http.HttpRobotClient;
@@ -24,6 +25,7 @@ import org.toqa.link.http.RobotDescription;
 import org.toqa.link.http.WheelOrder;
 import org.toqa.link.http.WheelReport;
 import org.toqa.link.message.AgentMessage.Fault;
+import org.toqa.localisation.RangeSource;
 import org.toqa.motion.DifferentialLimits;
 import org.toqa.motion.DriveKind;
 import org.toqa.motion.WheelCommand;
@@ -70,6 +72,10 @@ public final class HttpChassis implements Chassis {
   private final ExchangeListener listener;
   private final DifferentialLimits limits;
   private final CountedOdometry odometry;
+
+  /** Null where its place is not corrected by ranges. */
+  private final @Nullable PoseCorrection correction;
+
   private WheelReport report;
   private long seq;
 
@@ -94,6 +100,7 @@ public final class HttpChassis implements Chassis {
    * Tells the robot to stand, and takes its first answer.
    *
    * @param odometryFile goes on with what is in it
+   * @param ranges that it publishes; taken where it has told of its sonar
    * @param nanos now, on the daemon's monotonic clock
    * @throws IOException the robot does not answer, or the file cannot be used
    */
@@ -101,6 +108,7 @@ public final class HttpChassis implements Chassis {
       HttpRobotClient robot,
       RobotDescription body,
       ExchangeListener listener,
+      RangeSource ranges,
       Path odometryFile,
       long nanos)
       throws IOException {
@@ -112,19 +120,23 @@ public final class HttpChassis implements Chassis {
     WheelReport report = first.report();
     CountedOdometry odometry = new CountedOdometry(odometryFile, body);
     odometry.update(report, first.begun(), first.ended());
-    return new HttpChassis(robot, body, listener, odometry, report, nanos);
+    RobotDescription.Sonar sonar = body.sonar();
+    PoseCorrection correction = sonar == null ? null : new PoseCorrection(ranges, body, sonar);
+    return new HttpChassis(robot, body, listener, correction, odometry, report, nanos);
   }
 
   private HttpChassis(
       HttpRobotClient robot,
       RobotDescription body,
       ExchangeListener listener,
+      @Nullable PoseCorrection correction,
       CountedOdometry odometry,
       WheelReport report,
       long nanos) {
     this.robot = robot;
     this.body = body;
     this.listener = listener;
+    this.correction = correction;
     this.limits = limitsOf(body);
     this.odometry = odometry;
     this.report = report;
@@ -159,6 +171,7 @@ public final class HttpChassis implements Chassis {
     double seconds = Math.clamp((nanos - lastNanos) / 1e9, 0, LONGEST_STEP_SECONDS);
     lastNanos = nanos;
     awaitAnswer(nanos);
+    correct();
     take(command);
     SegmentQueue path = queue;
     Twist wanted = path == null ? velocity : path.steer(odometry.pose(), seconds);
@@ -167,6 +180,19 @@ public final class HttpChassis implements Chassis {
       awaitAnswer(nanos);
     }
     return reading(nanos);
+  }
+
+  @Override
+  public void setAnchor(@Nullable Pose anchor) {
+    if (correction != null) {
+      correction.setAnchor(anchor);
+    }
+  }
+
+  private void correct() {
+    if (correction != null) {
+      correction.correct(odometry.pose(), odometry.twist()).ifPresent(odometry::setPose);
+    }
   }
 
   private void take(ChassisCommand command) {
@@ -229,6 +255,7 @@ public final class HttpChassis implements Chassis {
     if (outcome != CountedOdometry.Outcome.CONTINUED) {
       queue = null;
       velocity = Twist.ZERO;
+      setAnchor(null);
       log.warn("Counts of a robot over HTTP: {} ({}).", outcome, answer);
     }
     if (outcome == CountedOdometry.Outcome.JUMPED) {

@@ -21,7 +21,8 @@ class CountedOdometryTest {
   private static final double METRES_PER_COUNT = 2 * Math.PI * WHEEL_RADIUS / COUNTS_PER_TURN;
   private static final long BOOT = 7;
   private static final RobotDescription BODY =
-      new RobotDescription(0.2, WHEEL_RADIUS, COUNTS_PER_TURN, MAX_SPEED, 5, 0.25, false, BOOT, 0);
+      new RobotDescription(
+          0.2, WHEEL_RADIUS, COUNTS_PER_TURN, MAX_SPEED, 5, 0.25, false, null, BOOT, 0);
 
   @TempDir private Path folder;
   private CountedOdometry odometry;

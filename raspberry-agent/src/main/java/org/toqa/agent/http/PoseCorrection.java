@@ -1,0 +1,109 @@
+package org.toqa.agent.http;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import org.jspecify.annotations.Nullable;
+import org.toqa.geometry.Pose;
+import org.toqa.geometry.Twist;
+import org.toqa.link.http.RobotDescription;
+import org.toqa.localisation.PoseEstimate;
+import org.toqa.localisation.RangeFilter;
+import org.toqa.localisation.RangeSource;
+
+/**
+ * Corrects the odometry of a robot over HTTP by the ultrasonic ranges that it publishes ({@link
+ * RangeFilter}). It begins where a person says that the robot stands. For one thread.
+ */
+final class PoseCorrection {
+  /** Metres, radians: how exactly a person says where a robot stands. */
+  private static final double PLACED = 0.03;
+
+  /** Metres: the variance of a metre that a wheel rolls is 1 cm2. */
+  private static final double TRAVEL_NOISE = 1e-4;
+
+  /** Metres: ultrasonic sensors ring on while something is nearer. */
+  private static final double NEAREST = 0.02;
+
+  /** Seconds by which ranges may be older than wheel counts: they come on another way. */
+  private static final double LATE = 0.1;
+
+  private final RangeSource source;
+  private final double deviation;
+  private final double radius;
+  private final RangeFilter filter;
+
+  /** The map's pose of the origin of the odometry; null: nobody knows. */
+  private @Nullable Pose anchor;
+
+  private @Nullable PoseEstimate estimate;
+  private Pose before = new Pose(0, 0, 0);
+
+  PoseCorrection(RangeSource source, RobotDescription body, RobotDescription.Sonar sonar) {
+    this.source = source;
+    this.deviation = sonar.deviation();
+    this.radius = body.footprint() / 2;
+    this.filter =
+        new RangeFilter(
+            new RangeFilter.Body(body.track(), TRAVEL_NOISE, NEAREST, sonar.farthest()));
+  }
+
+  /** Takes where the map has the origin of the odometry. */
+  void setAnchor(@Nullable Pose now) {
+    if (now == null || !now.equals(anchor)) {
+      anchor = now;
+      estimate = null;
+    }
+  }
+
+  /**
+   * Goes on with what the wheels have turned, and takes ranges if there are new ones.
+   *
+   * @param odometry where the body is now by its wheels, in their frame
+   * @param twist by which it moves, robot frame
+   * @return where it is taken to be, in the same frame; empty where ranges change nothing
+   */
+  Optional<Pose> correct(Pose odometry, Twist twist) {
+    Pose origin = anchor;
+    if (origin == null) {
+      return Optional.empty();
+    }
+    PoseEstimate known = estimate;
+    PoseEstimate now =
+        known == null
+            ? PoseEstimate.of(origin.compose(odometry), PLACED, PLACED)
+            : filter.moved(known, before, odometry);
+    estimate = now;
+    before = odometry;
+    return source.take().flatMap(measured -> corrected(origin, now, measured, twist));
+  }
+
+  private Optional<Pose> corrected(
+      Pose origin, PoseEstimate now, RangeSource.Measured measured, Twist twist) {
+    RangeFilter.Correction correction =
+        filter.corrected(now, ranges(measured, twist), measured.walls());
+    if (correction.used() == 0) {
+      return Optional.empty();
+    }
+    Pose corrected = origin.relative(correction.estimate().pose());
+    estimate = correction.estimate();
+    before = corrected;
+    return Optional.of(corrected);
+  }
+
+  private List<RangeFilter.Range> ranges(RangeSource.Measured measured, Twist twist) {
+    List<RangeFilter.Range> ranges = new ArrayList<>();
+    for (int i = 0; i < measured.metres().size(); i++) {
+      double metres = measured.metres().get(i);
+      double angle = measured.angles().get(i);
+      // what it moves and turns past while a range is on its way
+      double moved = LATE * Math.hypot(Math.hypot(twist.vx(), twist.vy()), metres * twist.w());
+      ranges.add(
+          new RangeFilter.Range(
+              new Pose(radius * Math.cos(angle), radius * Math.sin(angle), angle),
+              metres,
+              Math.hypot(deviation, moved)));
+    }
+    return ranges;
+  }
+}
