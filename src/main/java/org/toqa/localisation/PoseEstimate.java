@@ -100,4 +100,16 @@ public record PoseEstimate(
         yt - py * pt / s,
         Math.max(0, tt - pt * pt / s));
   }
+
+  /**
+   * With standard deviations of so much at least.
+   *
+   * @param metres of x and of y
+   * @param radians of the heading
+   */
+  PoseEstimate noSurerThan(double metres, double radians) {
+    double p = metres * metres;
+    return new PoseEstimate(
+        pose, Math.max(xx, p), xy, xt, Math.max(yy, p), yt, Math.max(tt, radians * radians));
+  }
 }

@@ -42,7 +42,7 @@ class RangeFilterPropertyTest {
         .toList();
   }
 
-  /** Within its own standard deviations, which are then about those of its ranges. */
+  /** Of its heading, walls that it meets squarely tell nothing: that gets no worse. */
   @Property(tries = 100)
   void aRobotThatIsALittleWrongIsCorrected(
       @ForAll @DoubleRange(min = 1, max = 3) double x,
@@ -63,22 +63,23 @@ class RangeFilterPropertyTest {
     assertTrue(used > 40, "believed: " + used);
     assertTrue(estimate.pose().distanceTo(truth) < 0.02, estimate::toString);
     double turned = Math.abs(Angles.difference(theta, estimate.pose().theta()));
-    assertTrue(turned < 4 * estimate.headingDeviation(), estimate::toString);
+    assertTrue(turned < Math.abs(wrong) / 2 + 0.03, estimate::toString);
     assertTrue(estimate.positionDeviation() < 0.006, estimate::toString);
   }
 
   /** The derivatives by which it corrects are those of the rays themselves. */
   @Property(tries = 100)
   void anErrorTooSmallToBendAnythingIsCorrectedExactly(
-      @ForAll @DoubleRange(min = 1, max = 3) double x,
-      @ForAll @DoubleRange(min = 1, max = 2) double y,
-      @ForAll @DoubleRange(min = -0.2, max = 0.2) double theta) {
+      @ForAll @DoubleRange(min = 1.5, max = 2.5) double x,
+      @ForAll @DoubleRange(min = 1.3, max = 1.7) double y,
+      @ForAll @DoubleRange(min = 0.15, max = 0.25) double theta) {
     Pose truth = new Pose(x, y, theta);
     PoseEstimate estimate = PoseEstimate.of(new Pose(x + 1e-4, y - 2e-4, theta + 1e-4), 0.01, 0.01);
-    for (Range range : ranges(truth, new SplittableRandom(1), 0)) {
-      Range exact = new Range(range.beam(), range.metres(), 1e-6);
-      estimate = filter.corrected(estimate, List.of(exact), ROOM).estimate();
-    }
+    List<Range> exact =
+        ranges(truth, new SplittableRandom(1), 0).stream()
+            .map(range -> new Range(range.beam(), range.metres(), 1e-6))
+            .toList();
+    estimate = filter.corrected(estimate, exact, ROOM).estimate();
     assertEquals(0, estimate.pose().distanceTo(truth), 1e-5);
     assertEquals(0, Angles.difference(theta, estimate.pose().theta()), 1e-5);
   }

@@ -29,10 +29,10 @@ import org.toqa.link.http.HttpRobotAddress;
 import org.toqa.link.http.HttpRobotClient;
 import org.toqa.link.http.HttpRobotException;
 import org.toqa.link.http.RobotToken;
+import org.toqa.link.message.AgentMessage;
 import org.toqa.link.message.AgentMessage.Hello;
 import org.toqa.link.message.AgentMessage.Mode;
 import org.toqa.link.message.AgentMessage.State;
-import org.toqa.link.message.AgentMessage;
 import org.toqa.link.message.ServerMessage.Drive;
 import org.toqa.link.message.ServerMessage.Locate;
 import org.toqa.link.trust.IdentityFile;
@@ -106,12 +106,7 @@ final class HttpRobotsRun implements AutoCloseable {
     DrivenHttpRobot robot = new DrivenHttpRobot();
     HttpRobotDaemon daemon =
         HttpRobotDaemon.open(
-            name,
-            folder.resolve(name),
-            client,
-            robot,
-            RangeSource.NONE,
-            InstantSource.system());
+            name, folder.resolve(name), client, robot, RangeSource.NONE, InstantSource.system());
     parts.push(daemon);
     Thread thread = Thread.ofPlatform().daemon().start(() -> daemon.run(robot::goesOn));
     parts.push(() -> robot.stop(thread));

@@ -93,7 +93,18 @@ public final class SimulatedHttpRobot implements AutoCloseable {
     /** On a free port of loopback, with an exact body that is not kept, which answers at once. */
     public static Settings of(RobotToken token, Pose start) {
       return new Settings(
-          InetAddress.getLoopbackAddress(), 0, token, null, null, start, 0, 0, 1, 5, Duration.ZERO, null);
+          InetAddress.getLoopbackAddress(),
+          0,
+          token,
+          null,
+          null,
+          start,
+          0,
+          0,
+          1,
+          5,
+          Duration.ZERO,
+          null);
     }
   }
 

@@ -30,8 +30,8 @@ public record RobotDescription(
     long seq) {
 
   /**
-   * Ultrasonic sensors on its rim, whose ranges it publishes by MQTT with their angles, and by which
-   * its place shall be corrected.
+   * Ultrasonic sensors on its rim, whose ranges it publishes by MQTT with their angles, and by
+   * which its place shall be corrected.
    *
    * @param farthest metres: what is told as this, or as more, is nothing; 0.1 to 30
    * @param deviation standard deviation of a range on the floor from that on the map, metres, 0.001

@@ -136,7 +136,18 @@ class SimulatedHttpRobotTest {
     SimulatedHttpRobot.Settings usual = SimulatedHttpRobot.Settings.of(TOKEN, new Pose(1, 2, 0));
     SimulatedHttpRobot.Settings kept =
         new SimulatedHttpRobot.Settings(
-            usual.address(), 0, TOKEN, null, folder, usual.start(), 0, 0, 1, 5, Duration.ZERO, null);
+            usual.address(),
+            0,
+            TOKEN,
+            null,
+            folder,
+            usual.start(),
+            0,
+            0,
+            1,
+            5,
+            Duration.ZERO,
+            null);
     robot.close();
     robot = new SimulatedHttpRobot(kept);
     WheelReport first = order(1, 0.2, 0);

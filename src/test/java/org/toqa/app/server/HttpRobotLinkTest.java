@@ -176,8 +176,7 @@ class HttpRobotLinkTest {
         heard.await(
             State.class, state -> state.localised() && state.pose().distanceTo(START) < 0.01);
     List<Segment> metre = List.of(new Segment(0.25, 0, 4));
-    opened.send(
-        new Drive(seq.incrementAndGet(), 5L, 1, corrected.pose(), metre, 1, true, 0));
+    opened.send(new Drive(seq.incrementAndGet(), 5L, 1, corrected.pose(), metre, 1, true, 0));
     heard.await(Done.class);
     State end = heard.await(State.class, state -> state.mode() == Mode.IDLE);
 
