@@ -5,7 +5,7 @@
 <c:choose>
   <c:when test="${empty readings.speed()}"><span class="faint"><fmt:message key="robot.speed.unknown"/></span></c:when>
   <c:otherwise>
-    <fmt:formatNumber value="${readings.speed()}" minFractionDigits="2" maxFractionDigits="2" var="speed"/>
+    <fmt:formatNumber value="${readings.actualSpeed()}" minFractionDigits="2" maxFractionDigits="2" var="speed"/>
     <fmt:message key="common.metresPerSecond"><fmt:param value="${speed}"/></fmt:message>
   </c:otherwise>
 </c:choose>

@@ -15,6 +15,7 @@ import org.toqa.geometry.Vec2;
  * @param battery 0 to 1; null where it is not known
  * @param task what it works for; null while {@code availability} is not {@link Availability#BUSY}
  * @param canBeInTeam whether it can carry a load together with others
+ * @param knowsShifts whether a group with it may be led sideways, if all of it can
  */
 public record Candidate(
     String robot,
@@ -27,7 +28,8 @@ public record Candidate(
     @Nullable Double battery,
     Availability availability,
     @Nullable Long task,
-    boolean canBeInTeam) {
+    boolean canBeInTeam,
+    boolean knowsShifts) {
 
   /** Of one that can carry a load together with others. */
   public Candidate(
@@ -52,7 +54,36 @@ public record Candidate(
         battery,
         availability,
         task,
-        true);
+        true,
+        false);
+  }
+
+  /** Of one with which no group is led sideways. */
+  public Candidate(
+      String robot,
+      double maxLoad,
+      double diameter,
+      double speed,
+      boolean isOmnidirectional,
+      Vec2 position,
+      Vec2 parking,
+      @Nullable Double battery,
+      Availability availability,
+      @Nullable Long task,
+      boolean canBeInTeam) {
+    this(
+        robot,
+        maxLoad,
+        diameter,
+        speed,
+        isOmnidirectional,
+        position,
+        parking,
+        battery,
+        availability,
+        task,
+        canBeInTeam,
+        false);
   }
 
   Candidate withTask(long task) {
@@ -75,7 +106,8 @@ public record Candidate(
         battery,
         next,
         nextTask,
-        canBeInTeam);
+        canBeInTeam,
+        knowsShifts);
   }
 
   boolean isFree() {

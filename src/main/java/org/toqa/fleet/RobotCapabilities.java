@@ -2,6 +2,7 @@ package org.toqa.fleet;
 
 import org.jspecify.annotations.Nullable;
 import org.toqa.arm.Arm;
+import org.toqa.formation.GroupMobility;
 import org.toqa.motion.DriveKind;
 import org.toqa.motion.DriveSpeeds;
 
@@ -15,6 +16,7 @@ import org.toqa.motion.DriveSpeeds;
  * @param track metres between its two wheels; 0: it has others, or nobody knows
  * @param arm null: it has none, or it is not known
  * @param findsOwnWay whether it finds its own way through free zones
+ * @param knowsShifts whether it drives segments that go sideways, and follows a leader that does
  */
 public record RobotCapabilities(
     double footprint,
@@ -24,9 +26,10 @@ public record RobotCapabilities(
     DriveKind kind,
     double track,
     @Nullable Arm arm,
-    boolean findsOwnWay) {
+    boolean findsOwnWay,
+    boolean knowsShifts) {
 
-  /** Of a robot that follows its path through free zones too. */
+  /** Of a robot that follows its path through free zones too, and knows no shifts. */
   public RobotCapabilities(
       double footprint,
       DriveSpeeds speeds,
@@ -35,7 +38,7 @@ public record RobotCapabilities(
       DriveKind kind,
       double track,
       @Nullable Arm arm) {
-    this(footprint, speeds, maxLoad, sensorRange, kind, track, arm, false);
+    this(footprint, speeds, maxLoad, sensorRange, kind, track, arm, false, false);
   }
 
   /** Of a robot without an arm. */
@@ -51,7 +54,8 @@ public record RobotCapabilities(
 
   /** Assumed of a robot that was never heard of: the smallest diameter of ours, any load. */
   public static final RobotCapabilities UNKNOWN =
-      new RobotCapabilities(0.255, DriveSpeeds.DEFAULT, Double.MAX_VALUE, 0.8, DriveKind.OMNI);
+      new RobotCapabilities(
+          0.255, DriveSpeeds.DEFAULT, Double.MAX_VALUE, 0.8, DriveKind.OMNI, 0, null, false, true);
 
   /** Of a robot of which nobody knows how far its wheels are apart. */
   public RobotCapabilities(
@@ -66,12 +70,17 @@ public record RobotCapabilities(
 
   public RobotCapabilities withFootprint(double diameter) {
     return new RobotCapabilities(
-        diameter, speeds, maxLoad, sensorRange, kind, track, arm, findsOwnWay);
+        diameter, speeds, maxLoad, sensorRange, kind, track, arm, findsOwnWay, knowsShifts);
   }
 
   public RobotCapabilities withMaxLoad(double kilograms) {
     return new RobotCapabilities(
-        footprint, speeds, kilograms, sensorRange, kind, track, arm, findsOwnWay);
+        footprint, speeds, kilograms, sensorRange, kind, track, arm, findsOwnWay, knowsShifts);
+  }
+
+  /** How a group with it can be led. */
+  public GroupMobility mobility() {
+    return GroupMobility.of(kind.canGoSideways(), knowsShifts);
   }
 
   /** Whether the robot has ever said what it carries: whether it was ever connected. */

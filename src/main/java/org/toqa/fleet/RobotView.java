@@ -103,6 +103,7 @@ public record RobotView(
    * @param arm null: it has none
    * @param camera what it sees; null: it has none, or sees nothing at all
    * @param networkRoute to the server in an ad hoc network; null: it is in none, or knows none
+   * @param sideways metres a second, to the left; null: not known
    */
   public record Readings(
       @Nullable Double speed,
@@ -112,9 +113,10 @@ public record RobotView(
       @Nullable Double measuredLoad,
       @Nullable ArmState arm,
       @Nullable CameraView camera,
-      @Nullable NetworkRoute networkRoute) {
+      @Nullable NetworkRoute networkRoute,
+      @Nullable Double sideways) {
 
-    /** Of a robot in no ad hoc network. */
+    /** Of a robot in no ad hoc network, which does not go sideways. */
     public Readings(
         @Nullable Double speed,
         @Nullable Double turnRate,
@@ -123,10 +125,10 @@ public record RobotView(
         @Nullable Double measuredLoad,
         @Nullable ArmState arm,
         @Nullable CameraView camera) {
-      this(speed, turnRate, ranges, placeError, measuredLoad, arm, camera, null);
+      this(speed, turnRate, ranges, placeError, measuredLoad, arm, camera, null, speed == null ? null : 0.0);
     }
 
-    /** Of a robot without an arm and cameras. */
+    /** Of a robot without an arm and cameras, which does not go sideways. */
     public Readings(
         @Nullable Double speed,
         @Nullable Double turnRate,
@@ -153,13 +155,21 @@ public record RobotView(
           load == null ? null : rounded(load),
           rounded(state.arm()),
           state.camera(),
-          rounded(state.networkRoute()));
+          rounded(state.networkRoute()),
+          rounded(state.twist().u()));
     }
 
     private static @Nullable NetworkRoute rounded(@Nullable NetworkRoute route) {
       return route == null
           ? null
           : new NetworkRoute(route.nextHop(), route.metric(), rounded(route.quality()));
+    }
+
+    /** Metres a second in whatever direction it goes, below 0 backward; null: not known. */
+    public @Nullable Double actualSpeed() {
+      return speed == null || sideways == null || sideways == 0
+          ? speed
+          : Double.valueOf(Math.hypot(speed, sideways));
     }
 
     private static @Nullable ArmState rounded(@Nullable ArmState arm) {

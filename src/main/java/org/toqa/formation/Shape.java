@@ -12,9 +12,9 @@ import org.toqa.geometry.Vec2;
  *
  * @param leader the leader's place, metres
  * @param followers the followers' places, metres
- * @param law the one that asks the most, of those that its robots follow by
+ * @param mobility how it can be led
  */
-public record Shape(Vec2 leader, List<Vec2> followers, FollowerLawType law) {
+public record Shape(Vec2 leader, List<Vec2> followers, GroupMobility mobility) {
 
   public static final int MOST_ROBOTS = 12;
 
@@ -38,14 +38,19 @@ public record Shape(Vec2 leader, List<Vec2> followers, FollowerLawType law) {
     }
   }
 
-  /** One of robots that go in any direction. */
+  /** One that can be led in any direction. */
   public Shape(Vec2 leader, List<Vec2> followers) {
-    this(leader, followers, FollowerLawType.OMNI);
+    this(leader, followers, GroupMobility.SHIFTING);
   }
 
-  /** The same of robots that follow by another law. */
-  public Shape withLaw(FollowerLawType other) {
+  /** The same of robots that can do less, or more. */
+  public Shape withMobility(GroupMobility other) {
     return new Shape(leader, followers, other);
+  }
+
+  /** The law that asks the most, of those that its robots follow by. */
+  public FollowerLawType law() {
+    return mobility.law();
   }
 
   /**
@@ -118,7 +123,8 @@ public record Shape(Vec2 leader, List<Vec2> followers, FollowerLawType law) {
   public double smallestRadius() {
     double lateral = offsets().stream().mapToDouble(o -> Math.abs(o.y())).max().orElseThrow();
     double lengthwise = offsets().stream().mapToDouble(o -> Math.abs(o.x())).max().orElseThrow();
-    return Math.max(law.roundness() * (lateral + CORNER_MARGIN), law.lengthFactor() * lengthwise);
+    return Math.max(
+        law().roundness() * (lateral + CORNER_MARGIN), law().lengthFactor() * lengthwise);
   }
 
   private static void requireLength(String name, double metres) {

@@ -35,6 +35,7 @@ public final class TrajectoryRules {
   public enum Fault {
     TURN_ON_THE_SPOT,
     BACKWARDS,
+    SIDEWAYS,
     TOO_TIGHT
   }
 
@@ -56,6 +57,9 @@ public final class TrajectoryRules {
     if (segment.v() < 0) {
       return Optional.of(Fault.BACKWARDS);
     }
+    if (segment.shifts() && !shape.mobility().canShift()) {
+      return Optional.of(Fault.SIDEWAYS);
+    }
     if (segment.w() == 0) {
       return Optional.empty();
     }
@@ -76,7 +80,7 @@ public final class TrajectoryRules {
 
   private Segment slowed(Segment segment) {
     double share = Math.min(1, mostSpeed / fastestRobotSpeed(segment.twist()));
-    return new Segment(segment.v() * share, segment.w() * share, segment.t() / share);
+    return segment.slowed(share);
   }
 
   // at lateral offset d on an arc of radius R: v (R + d) / R

@@ -7,6 +7,7 @@ import org.toqa.link.message.AgentMessage;
 import org.toqa.link.message.AgentMessage.CameraView;
 import org.toqa.link.message.AgentMessage.Hello;
 import org.toqa.link.message.AgentMessage.NetworkRoute;
+import org.toqa.link.message.AgentMessage.Speed;
 import org.toqa.link.message.AgentMessage.State;
 import org.toqa.wording.Phrase;
 import org.toqa.wording.Sentence;
@@ -92,7 +93,8 @@ final class RobotFigures {
     if (!(state.battery() >= 0 && state.battery() <= 1)) {
       return Optional.of("The battery of the state is not from 0 to 1.");
     }
-    if (Math.max(Math.abs(state.twist().v()), Math.abs(state.twist().w())) > MAX_SPEED) {
+    Speed twist = state.twist();
+    if (Math.max(Math.hypot(twist.v(), twist.u()), Math.abs(twist.w())) > MAX_SPEED) {
       return Optional.of("The twist of the state is faster than any robot.");
     }
     if (!state.ranges().stream().allMatch(range -> range >= 0)) {

@@ -22,7 +22,7 @@ const SUBJECTS = {
   order: ({tasks}, name) => partsOf(tasks, name),
   'order-actions': ({tasks}, name) => partsOf(tasks, name).map(({id, state}) => [id, state]),
   robots: ({robots}) => robots.map(({state, task, phase, doing, battery, pose, twist, maxLoad, host, port}) =>
-    [state, task, phase, doing, Math.round(100 * battery), pose, twist?.v, maxLoad, host, port]),
+    [state, task, phase, doing, Math.round(100 * battery), pose, twist?.v, twist?.u, maxLoad, host, port]),
   robot: ({robots}, name) => {
     const robot = robots.find((candidate) => candidate.name === name);
     return robot && {...robot, lastSeen: null, route: null};

@@ -184,6 +184,28 @@ class CarryTogetherTest {
     open(count, DriveKind.OMNI);
   }
 
+  /** Two passages that meet where the group has no room to turn; robots wait in the first one. */
+  @Test
+  @Timeout(300)
+  void aGroupIsLedSidewaysThroughAnOffsetDoor() throws Exception {
+    OccupancyGrid drawn =
+        OccupancyGrid.parse(
+            "####################",
+            "#...........########",
+            "#...........########",
+            "#...........########",
+            "########...........#",
+            "########...........#",
+            "########...........#",
+            "####################");
+    OccupancyGrid grid =
+        new OccupancyGrid(drawn.width(), drawn.height(), SIZE, Vec2.ZERO, drawn.occupied());
+    List<Place> parking = List.of(new Place("P1", cell(1, 5)), new Place("P2", cell(1, 6)));
+    List<Place> stations = List.of(new Place("A", cell(5, 5)), new Place("B", cell(15, 2)));
+    open(new FloorMap("passages", grid, stations, parking, List.of()), DriveKind.OMNI);
+    untilDone(order(8));
+  }
+
   private void open(int count, DriveKind kind) throws Exception {
     List<Place> parking = new ArrayList<>();
     for (int i = 0; i < count; i++) {
@@ -192,7 +214,10 @@ class CarryTogetherTest {
     List<Place> stations =
         List.of(
             new Place("A", cell(8, 8)), new Place("B", cell(30, 8)), new Place("C", cell(20, 4)));
-    FloorMap floor = new FloorMap("hall", grid(), stations, parking, List.of());
+    open(new FloorMap("hall", grid(), stations, parking, List.of()), kind);
+  }
+
+  private void open(FloorMap floor, DriveKind kind) throws Exception {
     LiveFloor live = new LiveFloor(folder, floor, SimulatedFloor.of(floor), SPEED, kind);
     opened = live;
     live.start();

@@ -502,7 +502,8 @@ public final class ScriptedRobot {
         act == null ? null : act.seq(),
         acted,
         condition.room,
-        condition.freeZones);
+        condition.freeZones,
+        true);
   }
 
   private State state() {

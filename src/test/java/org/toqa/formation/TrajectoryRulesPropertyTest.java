@@ -12,6 +12,7 @@ import net.jqwik.api.Example;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
 import net.jqwik.api.Provide;
+import net.jqwik.api.Tuple;
 import net.jqwik.api.constraints.DoubleRange;
 import net.jqwik.api.constraints.Size;
 import org.toqa.formation.TrajectoryRules.Breach;
@@ -34,12 +35,17 @@ class TrajectoryRulesPropertyTest {
 
   @Provide
   Arbitrary<List<Segment>> segments() {
-    return Combinators.combine(
-            Arbitraries.doubles().between(0.05, 0.5),
-            Arbitraries.doubles().between(-1.5, 1.5),
-            Arbitraries.doubles().between(0.1, 3))
-        .as((v, w, t) -> new Segment(v, w, t))
-        .list();
+    Arbitrary<Double> seconds = Arbitraries.doubles().between(0.1, 3);
+    Arbitrary<Segment> ahead =
+        Combinators.combine(
+                Arbitraries.doubles().between(0.05, 0.5),
+                Arbitraries.doubles().between(-1.5, 1.5),
+                seconds)
+            .as((v, w, t) -> new Segment(v, w, t));
+    Arbitrary<Segment> aside =
+        Combinators.combine(Arbitraries.doubles().between(-0.5, 0.5), seconds)
+            .as((u, t) -> Segment.shift(u, t));
+    return Arbitraries.frequencyOf(Tuple.of(3, ahead), Tuple.of(1, aside)).list();
   }
 
   @Property(tries = 200)
@@ -59,7 +65,7 @@ class TrajectoryRulesPropertyTest {
             TRIANGLE.followersAt(before).get(i).distanceTo(TRIANGLE.followersAt(after).get(i));
         assertTrue(driven / step <= MOST_SPEED + 1e-6, "a follower drives " + driven / step);
       }
-      assertTrue(segment.v() <= MOST_SPEED + 1e-12);
+      assertTrue(segment.speed() <= MOST_SPEED + 1e-12);
       elapsed += segment.t();
     }
   }
@@ -106,5 +112,11 @@ class TrajectoryRulesPropertyTest {
     assertEquals(
         Optional.of(new Breach(Fault.BACKWARDS, 0)),
         rules.firstBreach(new Trajectory(START, List.of(new Segment(-0.1, 0, 1)))));
+    Trajectory shift = new Trajectory(START, List.of(straight, Segment.shift(0.1, 1)));
+    assertEquals(Optional.empty(), rules.firstBreach(shift));
+    assertEquals(
+        Optional.of(new Breach(Fault.SIDEWAYS, 1)),
+        new TrajectoryRules(TRIANGLE.withMobility(GroupMobility.FORWARD), MOST_SPEED)
+            .firstBreach(shift));
   }
 }

@@ -250,11 +250,19 @@ class RobotStoreTest extends FleetDatabaseTest {
     Trajectory trajectory =
         new Trajectory(
             new Pose(0.1, 1 / 3.0, -3),
-            List.of(new Segment(0.25, 0, 1.2), new Segment(0, 0.5, 0.1)));
+            List.of(new Segment(0.25, 0, 1.2), new Segment(0, 0.5, 0.1), Segment.shift(-0.1, 3)));
     store.saveDrive("r1", new StoredDrive(4, null, Phase.NONE, trajectory));
     StoredDrive second = new StoredDrive(9, 77L, Phase.TO_GOAL, trajectory);
     store.saveDrive("r1", second);
     assertEquals(Optional.of(second), store.drive("r1"));
+  }
+
+  /** As an earlier release stored it. */
+  @Test
+  void whatWasStoredWithoutShiftsIsRead() {
+    assertEquals(
+        List.of(new Segment(0.25, 0.5, 2)),
+        TrajectoryJson.readSegments("[{\"v\":0.25,\"w\":0.5,\"t\":2}]"));
   }
 
   @Test

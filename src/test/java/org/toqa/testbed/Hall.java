@@ -61,7 +61,8 @@ public final class Hall {
   public static RobotView seeing(RobotView robot, SeenBox... boxes) {
     Telemetry heard = robot.telemetry();
     Readings readings =
-        new Readings(null, null, List.of(), null, null, null, new CameraView(4, List.of(boxes)));
+        new Readings(
+            null, null, List.of(), null, null, null, new CameraView(4, List.of(boxes)), null);
     return robot.withTelemetry(
         new Telemetry(heard.pose(), heard.battery(), readings, List.of(), START));
   }

@@ -1,6 +1,7 @@
 package org.toqa.agent;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.nio.file.Path;
@@ -57,6 +58,7 @@ class DifferentialRobotTest {
   @Test
   void itTellsItsKind() {
     assertEquals(DriveKind.DIFFERENTIAL, server.hello().driveKind());
+    assertFalse(server.hello().shifts());
   }
 
   /** Straights, corners as the server rounds them, and turns on the spot, fast and slow. */

@@ -78,6 +78,17 @@ class DriveCommandsTest extends ConnectedRobotTest {
     assertEquals(Mode.IDLE, server.state().mode());
   }
 
+  /** The body drives a path by itself, and knows none to the side. */
+  @Test
+  void aRobotAloneGoesNotSideways() {
+    String reason = "Only a leader that can go sideways shifts its group; send segments without u.";
+    Segment shift = Segment.shift(0.1, 1);
+    assertTrue(server.hello().shifts());
+    assertEquals(reason, server.rejectReason(driveOf(1, shift)));
+    server.assertAccepted(driveOf(2, METRE));
+    assertEquals(reason, server.rejectReason(new Extend(3, 2, 1, List.of(shift), 2, true)));
+  }
+
   @Test
   void releasedLiesWithinTheSegments() {
     assertEquals("Of 1 segments 2 cannot be released.", server.rejectReason(released(1, 2, METRE)));

@@ -21,6 +21,7 @@ import org.toqa.link.message.AgentMessage.State;
 import org.toqa.link.message.ServerMessage.Cancel;
 import org.toqa.link.message.ServerMessage.Drive;
 import org.toqa.link.message.ServerMessage.Follow;
+import org.toqa.link.message.ServerMessage.Follower;
 import org.toqa.link.message.ServerMessage.Hold;
 import org.toqa.link.message.ServerMessage.Lead;
 import org.toqa.link.message.ServerMessage.Resume;
@@ -74,6 +75,24 @@ class FormationTest {
     group.truth().assertInShape(FormationRig.TOLERANCE);
     // wheels that slip by 1 % at each step; 5.3 m of way
     group.truth().assertLeaderAt(goal, 0.05);
+  }
+
+  @Test
+  void groupIsLedSidewaysInShape() {
+    List<Segment> segments =
+        List.of(new Segment(0.25, 0, 2), Segment.shift(0.1, 6), new Segment(0.25, 0, 2));
+    group.startFormation(segments);
+    State aside = group.server(2).awaitState(s -> s.twist().u() > 0.08);
+    assertEquals(0, aside.twist().v(), 0.03);
+    assertEquals(FormationRig.LEADER.theta(), aside.pose().theta(), 0.05);
+
+    assertEquals(new Done(FormationRig.TASK, 2, 2), group.server(0).awaitDone());
+    Pose goal = new Trajectory(FormationRig.LEADER, segments).end();
+    assertNear(goal, standing(0));
+    assertNear(FormationRig.SHAPE.followersAt(goal).get(0), standing(1));
+    assertNear(FormationRig.SHAPE.followersAt(goal).get(1), standing(2));
+    group.truth().assertInShape(FormationRig.TOLERANCE);
+    group.truth().assertLeaderAt(goal, 0.03);
   }
 
   @Test
@@ -157,6 +176,18 @@ class FormationTest {
     assertEquals(
         "A leader has 1 to 11 followers, not 0.",
         server.rejectReason(new Lead(4, 7, 0.05, List.of(), null)));
+    FormationServer leader = group.server(0);
+    Follower follower = new Follower("r2", "127.0.0.1", group.port(1), null);
+    leader.assertAccepted(new Lead(1, 7, 0.05, List.of(follower), null));
+    assertEquals(
+        "Segment 0 goes sideways, so its v and w must be 0, not 0.1 and 0.0.",
+        leader.rejectReason(
+            new Drive(
+                2, 7L, 2, FormationRig.LEADER, List.of(new Segment(0.1, 0, 1, 0.1)), 1, true, 0)));
+    assertEquals(
+        "Segment 0 goes sideways by 0.6 m/s; this robot drives at most 0.5 m/s.",
+        leader.rejectReason(
+            new Drive(3, 7L, 2, FormationRig.LEADER, List.of(Segment.shift(0.6, 1)), 1, true, 0)));
     server.assertAccepted(new Follow(5, 7, "r1", null, beside, 0.05, null));
     assertEquals(
         "The robot follows r1; wait for the formation's end or send cancel.",

@@ -304,7 +304,7 @@ final class DrivenRobot implements AutoCloseable {
         nanos / 1_000_000,
         true,
         body.pose(),
-        new Speed(body.twist().vx(), body.twist().w()),
+        Speed.of(body.twist()),
         mode(),
         task,
         phase,

@@ -49,6 +49,7 @@ final class Candidates {
         robot.telemetry().battery(),
         availability,
         availability == Availability.BUSY ? robot.work().task() : null,
-        !robot.record().isHttp());
+        !robot.record().isHttp(),
+        robot.capabilities().knowsShifts());
   }
 }

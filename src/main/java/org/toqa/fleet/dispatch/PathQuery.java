@@ -15,7 +15,7 @@ import org.jspecify.annotations.Nullable;
 import org.toqa.allocation.Candidate;
 import org.toqa.fleet.RobotCapabilities;
 import org.toqa.fleet.floor.TeamRoomCheck;
-import org.toqa.formation.FollowerLawType;
+import org.toqa.formation.GroupMobility;
 import org.toqa.geometry.Pose;
 import org.toqa.geometry.Vec2;
 import org.toqa.geometry.Waypoint;
@@ -89,7 +89,7 @@ final class PathQuery {
    *
    * @param object where the load is
    * @param diameter of the largest robot, metres
-   * @param law the one that asks the most, of those that they follow by
+   * @param mobility how they can be led
    * @param size of the load; null: not told
    */
   record TeamQuestion(
@@ -97,7 +97,7 @@ final class PathQuery {
       TaskPlace goal,
       int robots,
       double diameter,
-      FollowerLawType law,
+      GroupMobility mobility,
       @Nullable LoadSize size) {
 
     /** About these, who are to carry it together. */
@@ -110,15 +110,15 @@ final class PathQuery {
               .mapToDouble(Candidate::diameter)
               .max()
               .orElse(RobotCapabilities.UNKNOWN.footprint()),
-          team.stream().allMatch(Candidate::isOmnidirectional)
-              ? FollowerLawType.OMNI
-              : FollowerLawType.NON_HOLONOMIC,
+          GroupMobility.of(
+              team.stream().allMatch(Candidate::isOmnidirectional),
+              team.stream().allMatch(Candidate::knowsShifts)),
           mission.task().size());
     }
 
     /** Whether they may lack room because one of them cannot go sideways. */
     boolean hasDifferential() {
-      return law == FollowerLawType.NON_HOLONOMIC;
+      return mobility == GroupMobility.NON_HOLONOMIC;
     }
   }
 
@@ -191,7 +191,7 @@ final class PathQuery {
   private static Optional<Sentence> objection(
       FloorMap floor, Mission mission, TeamQuestion question) {
     return new TeamRoomCheck(floor.grid(), floor.margins())
-        .objection(mission, question.robots(), question.diameter(), question.law())
+        .objection(mission, question.robots(), question.diameter(), question.mobility())
         .map(why -> question.hasDifferential() ? Phrase.WITH_DIFFERENTIAL.with(why) : why);
   }
 

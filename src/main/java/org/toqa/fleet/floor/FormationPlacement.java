@@ -7,7 +7,7 @@ import java.util.Optional;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
-import org.toqa.formation.FollowerLawType;
+import org.toqa.formation.GroupMobility;
 import org.toqa.formation.LoadHolds;
 import org.toqa.formation.Shape;
 import org.toqa.geometry.Pose;
@@ -46,7 +46,7 @@ final class FormationPlacement {
    * @param object where the load is, metres, map frame
    * @param goal where it is carried, metres, map frame
    * @param radius of the largest robot, metres
-   * @param law the one that asks the most, of those that the robots follow by
+   * @param mobility how they can be led
    * @return empty where there is no room for them or no path, wherever the load faces
    */
   Optional<Formation> find(
@@ -55,21 +55,28 @@ final class FormationPlacement {
       int robots,
       @Nullable LoadSize requestedSize,
       double radius,
-      FollowerLawType law) {
+      GroupMobility mobility) {
     LoadSize size = requestedSize == null ? LoadSize.DEFAULT : requestedSize;
     FormationPaths paths = new FormationPaths(grid, margins, goal);
-    return around(object, robots, size, radius, law).stream()
-        .filter(formation -> paths.hasPath(formation.group(), formation.pose(0)))
+    return firstWithPath(around(object, robots, size, radius, mobility), paths);
+  }
+
+  /** The first one that has a path without a shift; where there is none, with shifts. */
+  static Optional<Formation> firstWithPath(List<Formation> formations, FormationPaths paths) {
+    return Stream.of(false, true)
+        .flatMap(
+            shifting ->
+                formations.stream().filter(f -> paths.hasPath(f.group(), f.pose(0), shifting)))
         .findFirst();
   }
 
   /** Those that have room where the load is, the best first. */
   List<Formation> around(
-      Vec2 object, int robots, LoadSize size, double radius, FollowerLawType law) {
+      Vec2 object, int robots, LoadSize size, double radius, GroupMobility mobility) {
     Shape ideal = Shape.around(robots, size.length(), size.width(), radius);
     return IntStream.range(0, EIGHTHS)
         .boxed()
-        .flatMap(eighths -> at(object, eighths, ideal, size, radius, law))
+        .flatMap(eighths -> at(object, eighths, ideal, size, radius, mobility))
         .sorted(
             Comparator.<Formation>comparingLong(f -> Math.round(f.shape().imbalance() / ALIKE))
                 .thenComparingLong(f -> Math.round(f.group().width() / ALIKE)))
@@ -83,18 +90,18 @@ final class FormationPlacement {
   }
 
   private Stream<Formation> at(
-      Vec2 object, int eighths, Shape ideal, LoadSize size, double radius, FollowerLawType law) {
+      Vec2 object, int eighths, Shape ideal, LoadSize size, double radius, GroupMobility mobility) {
     Pose load = new Pose(object.x(), object.y(), eighths * EIGHTH);
     double turn = Formation.turnOf(load, size);
     // what a follower may be off its place beyond what any robot may be beside its path
-    double beyond = law.tolerance() - Trajectory.MAX_DEVIATION;
+    double beyond = mobility.law().tolerance() - Trajectory.MAX_DEVIATION;
     return Stream.of(false, true)
         .flatMap(
             isNarrow ->
                 new LoadPlaces(grid, load, size, turn, radius, isNarrow).nearest(ideal).stream())
         .filter(shape -> canHold(shape, size, turn))
         .distinct()
-        .map(shape -> shape.withLaw(law))
+        .map(shape -> shape.withMobility(mobility))
         .map(
             shape ->
                 new Formation(

@@ -15,7 +15,7 @@ import org.toqa.fleet.FloorView.HeldLoad;
 import org.toqa.fleet.FloorView.HoldPoint;
 import org.toqa.fleet.RobotCapabilities;
 import org.toqa.fleet.robot.RobotMessage;
-import org.toqa.formation.FollowerLawType;
+import org.toqa.formation.GroupMobility;
 import org.toqa.geometry.Pose;
 import org.toqa.geometry.Vec2;
 import org.toqa.link.message.AgentMessage.Role;
@@ -66,17 +66,16 @@ final class Formations {
                 robots.size(),
                 mission.task().size(),
                 largestRadius(mission),
-                law(mission)));
+                mobility(mission)));
   }
 
-  /** The one that asks the most of the group, of those that its robots follow by. */
-  private FollowerLawType law(Mission mission) {
+  private GroupMobility mobility(Mission mission) {
     return mission.assignedRobots().stream()
         .map(assigned -> state.robots.get(assigned.robot()))
         .filter(Objects::nonNull)
-        .map(robot -> FollowerLawType.of(robot.reported.capabilities().kind()))
+        .map(robot -> robot.reported.capabilities().mobility())
         .max(Comparator.naturalOrder())
-        .orElse(FollowerLawType.OMNI);
+        .orElse(GroupMobility.SHIFTING);
   }
 
   private double largestRadius(Mission mission) {

@@ -62,7 +62,8 @@ record LastReport(
 
   static LastReport of(AgentMessage.State state, Instant now) {
     boolean moves =
-        Math.abs(state.twist().v()) > STANDING_SPEED || Math.abs(state.twist().w()) > STANDING_TURN;
+        Math.hypot(state.twist().v(), state.twist().u()) > STANDING_SPEED
+            || Math.abs(state.twist().w()) > STANDING_TURN;
     return new LastReport(
         state.localised(),
         state.pose(),

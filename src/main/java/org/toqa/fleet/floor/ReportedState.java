@@ -104,7 +104,8 @@ final class ReportedState {
             hello.driveKind(),
             Math.clamp(hello.track(), 0, hello.footprint()),
             hello.arm(),
-            hello.freeZones());
+            hello.freeZones(),
+            hello.shifts());
     alert = null;
     unreachable = null;
     rejectedChange = null;

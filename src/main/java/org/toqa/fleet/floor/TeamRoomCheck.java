@@ -4,7 +4,7 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.Objects;
 import java.util.Optional;
-import org.toqa.formation.FollowerLawType;
+import org.toqa.formation.GroupMobility;
 import org.toqa.geometry.Vec2;
 import org.toqa.grid.Bottleneck;
 import org.toqa.grid.Margins;
@@ -31,19 +31,19 @@ public final class TeamRoomCheck {
    * Why so many robots cannot carry it, and where; empty if they can, or one does.
    *
    * @param diameter of the largest of them, metres
-   * @param law the one that asks the most, of those that they follow by
+   * @param mobility how they can be led
    */
   public Optional<Sentence> objection(
-      Mission mission, int robots, double diameter, FollowerLawType law) {
+      Mission mission, int robots, double diameter, GroupMobility mobility) {
     if (robots < 2) {
       return Optional.empty();
     }
     Vec2 object = mission.object().position();
     Vec2 goal = mission.task().goal().position();
     LoadSize size = Objects.requireNonNullElse(mission.task().size(), LoadSize.DEFAULT);
-    List<Formation> around = places.around(object, robots, size, diameter / 2, law);
+    List<Formation> around = places.around(object, robots, size, diameter / 2, mobility);
     FormationPaths paths = new FormationPaths(grid, margins, goal);
-    if (around.stream().anyMatch(f -> paths.hasPath(f.group(), f.pose(0)))) {
+    if (FormationPlacement.firstWithPath(around, paths).isPresent()) {
       return Optional.empty();
     }
     return Optional.of(reason(mission, robots, around, paths));

@@ -12,6 +12,7 @@ import org.toqa.arm.ArmAction;
 import org.toqa.arm.ArmStep;
 import org.toqa.arm.JointAngles;
 import org.toqa.geometry.Pose;
+import org.toqa.geometry.Twist;
 import org.toqa.geometry.Vec2;
 import org.toqa.motion.DriveKind;
 import org.toqa.motion.PassingRoom;
@@ -76,6 +77,7 @@ public sealed interface AgentMessage {
    * @param acted how the last act ended that is not acknowledged yet
    * @param room that it was lent beside the path of its drive; null: none
    * @param freeZones whether it finds its own way through a free zone that it is lent
+   * @param shifts whether it drives segments that go sideways, and follows a leader that does
    */
   record Hello(
       int version,
@@ -102,10 +104,11 @@ public sealed interface AgentMessage {
       @JsonSetter(nulls = Nulls.SET) @Nullable Long act,
       @JsonSetter(nulls = Nulls.SET) @Nullable ActEnd acted,
       @JsonSetter(nulls = Nulls.SET) @Nullable PassingRoom room,
-      boolean freeZones)
+      boolean freeZones,
+      boolean shifts)
       implements AgentMessage {
 
-    /** That of a robot that follows its path through free zones too. */
+    /** That of a robot that follows its path through free zones too, and does not go sideways. */
     public Hello(
         int version,
         String robot,
@@ -156,6 +159,7 @@ public sealed interface AgentMessage {
           act,
           acted,
           room,
+          false,
           false);
     }
 
@@ -445,7 +449,21 @@ public sealed interface AgentMessage {
    * @param v metres a second, forward
    * @param w radians a second, counter-clockwise
    */
-  record Speed(double v, double w) {}
+  record Speed(double v, double w, double u) {
+
+    /** Of a robot that does not go sideways. */
+    public Speed(double v, double w) {
+      this(v, w, 0);
+    }
+
+    public static Speed of(Twist twist) {
+      return new Speed(twist.vx(), twist.w(), twist.vy());
+    }
+
+    public Twist twist() {
+      return new Twist(v, u, w);
+    }
+  }
 
   /**
    * @param code a word for programs

@@ -227,7 +227,12 @@ public final class LinkCodec {
   /** Fields that a peer of an earlier release does not send. */
   private static void addMissingFields(JsonNode message) {
     switch (message.path("type").asString("")) {
-      case "drive" -> addIfMissing(message, "load", 0);
+      case "drive" -> {
+        addIfMissing(message, "load", 0);
+        addShiftIfMissing(message);
+      }
+      case "extend" -> addShiftIfMissing(message);
+      case "pose" -> addIfMissing(message.path("twist"), "u", 0);
       case "room" -> addNullIfMissing(message, "zone");
       case "lead", "follow" -> addNullIfMissing(message, "carries");
       case "pair" -> addNullIfMissing(message, "robot");
@@ -242,8 +247,10 @@ public final class LinkCodec {
         addNullIfMissing(message, "room");
         addNullIfMissing(message.path("room"), "zone");
         addIfMissing(message, "freeZones");
+        addIfMissing(message, "shifts");
       }
       case "state" -> {
+        addIfMissing(message.path("twist"), "u", 0);
         addNullIfMissing(message, "placeError");
         addNullIfMissing(message, "measuredLoad");
         addNullIfMissing(message, "arm");
@@ -260,6 +267,11 @@ public final class LinkCodec {
     if (node instanceof ObjectNode object && !object.has(field)) {
       object.put(field, value);
     }
+  }
+
+  /** Segments go sideways only where that is said. */
+  private static void addShiftIfMissing(JsonNode drive) {
+    drive.path("segments").valueStream().forEach(segment -> addIfMissing(segment, "u", 0));
   }
 
   /** A daemon that does not tell its kind drives on three omni wheels. */

@@ -28,7 +28,7 @@ public final class FormationPaths {
   private final BitSet walls;
   private final Vec2 goal;
 
-  /** By shape and margin: states of the leader from where there is none. */
+  /** By shape, margin, and whether it may shift: states of the leader from where there is none. */
   private final Map<List<Number>, BitSet> dead = new HashMap<>();
 
   /** Where the load was nearest to the goal in what was searched in vain, metres, map frame. */
@@ -46,23 +46,35 @@ public final class FormationPaths {
 
   /**
    * @param leader where it stands, map frame
+   * @param shifting whether it may be led sideways, where it can be
    */
-  public boolean hasPath(FormationFootprint formation, Pose leader) {
+  public boolean hasPath(FormationFootprint formation, Pose leader, boolean shifting) {
+    if (shifting && !formation.shape().mobility().canShift()) {
+      return false;
+    }
     Pose start = FormationPlanner.start(grid, leader);
     double metres = formation.shape().loadAt(start).position().distanceTo(goal);
     return metres < FormationLattice.goalTolerance(grid)
         || FormationPlanner.atStart(margins).stream()
-            .anyMatch(margin -> hasPath(formation, start, margin));
+            .anyMatch(margin -> hasPath(formation, start, margin, shifting));
   }
 
-  private boolean hasPath(FormationFootprint formation, Pose start, double margin) {
+  private boolean hasPath(
+      FormationFootprint formation, Pose start, double margin, boolean shifting) {
     FormationClearance clearance =
         new FormationClearance(
             grid, formation, start, walls, List.of(), margins.formation(), margin);
-    BitSet deadStates = dead.computeIfAbsent(key(formation, margin), _ -> new BitSet());
+    BitSet deadStates = dead.computeIfAbsent(key(formation, margin, shifting), _ -> new BitSet());
     boolean isFound =
         FormationPlanner.trajectory(
-                grid, formation.shape(), start, goal, DriveSpeeds.DEFAULT, clearance, deadStates)
+                grid,
+                formation.shape(),
+                start,
+                goal,
+                DriveSpeeds.DEFAULT,
+                clearance,
+                shifting,
+                deadStates)
             .isPresent();
     if (!isFound) {
       recordNearest(formation.shape(), deadStates);
@@ -112,8 +124,8 @@ public final class FormationPaths {
     return formation.width() + 2 * margins.formation();
   }
 
-  private static List<Number> key(FormationFootprint formation, double margin) {
-    List<Number> key = new ArrayList<>(List.of(margin));
+  private static List<Number> key(FormationFootprint formation, double margin, boolean shifting) {
+    List<Number> key = new ArrayList<>(List.of(margin, shifting ? 1 : 0));
     for (Vec2 offset : formation.shape().offsets()) {
       key.add(Math.round(offset.x() / SAME));
       key.add(Math.round(offset.y() / SAME));

@@ -100,9 +100,15 @@ final class FormationPlanner {
   }
 
   /**
-   * @param margin kept from walls round the start, metres
+   * @param rules by which it was found
    */
-  private record Course(Trajectory trajectory, double margin) {}
+  private record Course(Trajectory trajectory, Rules rules) {}
+
+  /**
+   * @param margin kept from walls round the start, metres
+   * @param shifting whether the group may be led sideways
+   */
+  private record Rules(double margin, boolean shifting) {}
 
   FormationPlanner(OccupancyGrid grid, Margins margins, SectionFitter fitter) {
     this.grid = grid;
@@ -171,7 +177,7 @@ final class FormationPlanner {
     Optional<Trajectory> free =
         known.trajectories().filter(t -> isFree(known.question, t, claimed)).findFirst();
     if (free.isEmpty() && !known.isPause(now)) {
-      free = trajectory(known.question, claimed, known.alone.get().margin);
+      free = trajectory(known.question, claimed, known.alone.get().rules);
       if (free.isEmpty()) {
         known.pause(now);
       }
@@ -190,10 +196,14 @@ final class FormationPlanner {
   }
 
   private Optional<Course> alone(Question question) {
-    return atStart(margins).stream()
+    Stream<Rules> forward = atStart(margins).stream().map(margin -> new Rules(margin, false));
+    Stream<Rules> shifting =
+        atStart(margins).stream()
+            .filter(_ -> question.formation.shape().mobility().canShift())
+            .map(margin -> new Rules(margin, true));
+    return Stream.concat(forward, shifting)
         .flatMap(
-            margin ->
-                trajectory(question, List.of(), margin).map(t -> new Course(t, margin)).stream())
+            rules -> trajectory(question, List.of(), rules).map(t -> new Course(t, rules)).stream())
         .findFirst();
   }
 
@@ -206,7 +216,7 @@ final class FormationPlanner {
     Optional<Trajectory> trajectory =
         isFree(known.question, alone.trajectory, claimed)
             ? Optional.of(alone.trajectory)
-            : trajectory(known.question, claimed, alone.margin);
+            : trajectory(known.question, claimed, alone.rules);
     if (known.among.size() == REMEMBERED) {
       known.among.remove(known.among.keySet().iterator().next());
     }
@@ -228,8 +238,7 @@ final class FormationPlanner {
     return true;
   }
 
-  private Optional<Trajectory> trajectory(
-      Question question, List<SweptArea> claimed, double margin) {
+  private Optional<Trajectory> trajectory(Question question, List<SweptArea> claimed, Rules rules) {
     FormationFootprint formation = question.formation;
     return trajectory(
         grid,
@@ -238,7 +247,14 @@ final class FormationPlanner {
         question.goal,
         question.speeds,
         new FormationClearance(
-            grid, formation, question.start, question.solid, claimed, margins.formation(), margin),
+            grid,
+            formation,
+            question.start,
+            question.solid,
+            claimed,
+            margins.formation(),
+            rules.margin),
+        rules.shifting,
         new BitSet());
   }
 
@@ -250,6 +266,7 @@ final class FormationPlanner {
   /**
    * The same, not cut into sections.
    *
+   * @param shifting whether it may be led sideways
    * @param dead as in {@link FormationSearch#trajectory}
    */
   static Optional<Trajectory> trajectory(
@@ -259,9 +276,10 @@ final class FormationPlanner {
       Vec2 goal,
       DriveSpeeds speeds,
       FormationClearance clearance,
+      boolean shifting,
       BitSet dead) {
     TrajectoryRules rules = new TrajectoryRules(shape, speeds.forward());
-    return new FormationSearch(grid, shape, clearance, start, goal, speeds)
+    return new FormationSearch(grid, shape, clearance, start, goal, speeds, shifting)
         .trajectory(dead)
         .map(rules::slowed)
         .filter(trajectory -> rules.firstBreach(trajectory).isEmpty())

@@ -24,7 +24,8 @@ import org.toqa.planning.SearchLimit;
 /**
  * Looks for the path that a formation can be led along: A* for the leader over the points of a
  * lattice and eight headings, by {@link FormationMoves}. From beside the lattice a curve leads onto
- * it.
+ * it. Where it may be led sideways too, shifts cost more than a long way round: sensors look
+ * forward.
  *
  * <p>The cost is that of a search over eight states a point. One object is for one search.
  */
@@ -53,6 +54,9 @@ final class FormationSearch {
   /** Metres; the goal is met in a circle several times as wide. */
   private static final double STEP_TO_GOAL = 0.02;
 
+  /** Metres a second to the side, where no sensor looks. */
+  private static final double SHIFT_SPEED = 0.1;
+
   private static final double ROUNDING = FormationLattice.ROUNDING;
 
   private final OccupancyGrid grid;
@@ -66,7 +70,8 @@ final class FormationSearch {
   private final double[] lengths;
   private final int[] parents;
   private final FormationMoves moves;
-  private final Map<Integer, DubinsCurve> entries = new HashMap<>();
+  private final boolean shifting;
+  private final Map<Integer, List<Segment>> entries = new HashMap<>();
   private BitSet dead = new BitSet();
   private final OpenList openList = new OpenList();
 
@@ -77,6 +82,7 @@ final class FormationSearch {
    * @param start of the leader, map frame
    * @param goal where the load is carried, metres, map frame
    * @param speeds at which the leader drives
+   * @param shifting whether it may be led sideways
    */
   FormationSearch(
       OccupancyGrid grid,
@@ -84,7 +90,8 @@ final class FormationSearch {
       FormationClearance clearance,
       Pose start,
       Vec2 goal,
-      DriveSpeeds speeds) {
+      DriveSpeeds speeds,
+      boolean shifting) {
     this.grid = grid;
     this.lattice = FormationLattice.of(grid);
     this.shape = shape;
@@ -92,6 +99,7 @@ final class FormationSearch {
     this.start = start;
     this.goal = goal;
     this.speeds = speeds;
+    this.shifting = shifting;
     this.radius = shape.smallestRadius();
     this.lengths = new double[lattice.stateCount()];
     this.parents = new int[lengths.length];
@@ -128,6 +136,9 @@ final class FormationSearch {
         return Optional.of(trajectoryTo(state));
       }
       moves.forEachFrom(state, (end, length) -> reach(end, state, lengths[state] + length));
+      if (shifting) {
+        moves.forEachShiftFrom(state, (end, cost) -> reach(end, state, lengths[state] + cost));
+      }
     }
     addReachedTo(dead);
     return arcToGoal();
@@ -169,14 +180,17 @@ final class FormationSearch {
       if (++count > few || point.distanceTo(start.position()) < NEAR_START) {
         return false;
       }
-      moves.forEachInto(
-          state,
+      FormationMoves.MoveVisitor visitor =
           (before, length) -> {
             if (!seen.get(before)) {
               seen.set(before);
               next.add(before);
             }
-          });
+          };
+      moves.forEachInto(state, visitor);
+      if (shifting) {
+        moves.forEachShiftInto(state, visitor);
+      }
     }
     return true;
   }
@@ -245,10 +259,54 @@ final class FormationSearch {
             && length < lengths[state]
             && isOpen(new Trajectory(start, curve.segments(speeds)))) {
           reach(state, -1, length);
-          entries.put(state, curve);
+          entries.put(state, curve.segments(speeds));
         }
       }
     }
+    if (shifting) {
+      enterByShift(state);
+    }
+  }
+
+  /** Straight on and to the side, or the other way round. */
+  private void enterByShift(int state) {
+    Pose there = start.relative(lattice.pose(state));
+    double length = there.x() + FormationMoves.shiftCost(there.y());
+    if (Math.abs(there.theta()) > ROUNDING
+        || Math.abs(there.y()) > lattice.step()
+        || there.x() < -ROUNDING
+        || there.x() > LONGEST_ENTRY
+        || length >= lengths[state]) {
+      return;
+    }
+    List<Segment> ahead = new ArrayList<>();
+    addStraight(ahead, there.x());
+    List<Segment> aside = new ArrayList<>();
+    addShift(aside, there.y());
+    for (List<List<Segment>> order : List.of(List.of(ahead, aside), List.of(aside, ahead))) {
+      List<Segment> entry = order.stream().flatMap(List::stream).toList();
+      if (!entry.isEmpty() && isOpenWithShift(entry)) {
+        reach(state, -1, length);
+        entries.put(state, entry);
+        return;
+      }
+    }
+  }
+
+  /** Whether it can be led so, with what a shift keeps clear before it. */
+  private boolean isOpenWithShift(List<Segment> entry) {
+    Trajectory trajectory = new Trajectory(start, entry);
+    for (int i = 0; i < entry.size(); i++) {
+      Segment segment = entry.get(i);
+      if (segment.shifts()) {
+        double more = FormationMoves.SHIFT_MARGIN / segment.speed();
+        Segment longer = segment.lasting(segment.t() + more);
+        if (!clearance.isKeptOnEntry(new Trajectory(trajectory.poseAfter(i), List.of(longer)))) {
+          return false;
+        }
+      }
+    }
+    return isOpen(trajectory);
   }
 
   /** Whether it can be led along a curve from where it stands. */
@@ -267,15 +325,22 @@ final class FormationSearch {
       states.addFirst(state);
     }
     List<Segment> segments = new ArrayList<>();
-    DubinsCurve entry = entries.get(states.getFirst());
-    if (entry != null) {
-      segments.addAll(entry.segments(speeds));
-    }
+    segments.addAll(entries.getOrDefault(states.getFirst(), List.of()));
     double straight = 0; // metres
+    double shift = 0; // metres to the left
     for (int i = 1; i < states.size(); i++) {
       int heading = states.get(i - 1) & 7;
       int eighths = (states.get(i) - heading + 12 & 7) - 4;
-      if (eighths == 0) {
+      double aside = eighths == 0 ? shiftBetween(states.get(i - 1), states.get(i)) : 0;
+      if (aside == 0 || aside * shift < 0) {
+        addShift(segments, shift);
+        shift = 0;
+      }
+      if (aside != 0) {
+        addStraight(segments, straight);
+        straight = 0;
+        shift += aside;
+      } else if (eighths == 0) {
         straight += lattice.length(heading);
       } else {
         List<Twist> corner = moves.corner(heading, eighths);
@@ -285,7 +350,21 @@ final class FormationSearch {
       }
     }
     addStraight(segments, straight);
+    addShift(segments, shift);
     return new Trajectory(start, segments);
+  }
+
+  /** Metres to the left from one state to another of the same heading; 0: straight on. */
+  private double shiftBetween(int from, int to) {
+    double aside = lattice.pose(from).relative(lattice.pose(to)).y();
+    return Math.abs(aside) < ROUNDING ? 0 : aside;
+  }
+
+  private void addShift(List<Segment> segments, double metresLeft) {
+    if (Math.abs(metresLeft) > ROUNDING) {
+      double speed = Math.min(SHIFT_SPEED, speeds.forward());
+      segments.add(Segment.shift(Math.copySign(speed, metresLeft), Math.abs(metresLeft) / speed));
+    }
   }
 
   private void addStraight(List<Segment> segments, double length) {

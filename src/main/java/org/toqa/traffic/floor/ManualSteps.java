@@ -71,7 +71,7 @@ final class ManualSteps {
       if (left <= 0) {
         break;
       }
-      Segment driven = new Segment(piece.v(), piece.w(), Math.min(piece.t(), left));
+      Segment driven = piece.lasting(Math.min(piece.t(), left));
       segments.add(driven);
       areas.add(robot.sweptArea(at, driven));
       at = at.advanced(driven.twist(), driven.t());

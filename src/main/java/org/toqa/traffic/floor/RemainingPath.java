@@ -63,7 +63,7 @@ public record RemainingPath(List<Vec2> points, int released, @Nullable PathDevia
       int releasedPoints = 0;
       for (int i = done + 1; i < released; i++) {
         for (Segment segment : path.sections().get(i).segments()) {
-          releasedPoints += segment.v() == 0 ? 0 : pieces(segment);
+          releasedPoints += segment.speed() == 0 ? 0 : pieces(segment);
         }
       }
       return new Behind(path, done, released, new Line(path, done), releasedPoints);
@@ -128,7 +128,7 @@ public record RemainingPath(List<Vec2> points, int released, @Nullable PathDevia
     Pose pose = path.poseAfter(section);
     List<Vec2> line = new ArrayList<>(List.of(pose.position()));
     for (Segment segment : path.sections().get(section).segments()) {
-      if (segment.v() != 0) {
+      if (segment.speed() != 0) {
         int pieces = pieces(segment);
         for (int k = 1; k <= pieces; k++) {
           line.add(pose.advanced(segment.twist(), segment.t() * k / pieces).position());

@@ -110,18 +110,19 @@ final class SectionFitter {
 
   /** A straight in pieces that end where the robot may stop; anything else whole. */
   private static List<Segment> split(Pose from, Segment segment, PassingPlaces passingPlaces) {
-    if (segment.w() != 0 || segment.v() == 0) {
+    if (segment.w() != 0 || segment.speed() == 0) {
       return List.of(segment);
     }
-    Vec2 forward = new Vec2(1, 0).rotated(from.theta());
+    Vec2 ahead =
+        new Vec2(segment.v(), segment.u()).times(1 / segment.speed()).rotated(from.theta());
     List<Segment> pieces = new ArrayList<>();
     double covered = 0;
-    for (double along : passingPlaces.distancesAlong(from.position(), forward, segment.length())) {
-      pieces.add(new Segment(segment.v(), 0, (along - covered) / segment.v()));
+    for (double along : passingPlaces.distancesAlong(from.position(), ahead, segment.length())) {
+      pieces.add(segment.lasting((along - covered) / segment.speed()));
       covered = along;
     }
     if (segment.length() - covered > SHORTEST) {
-      pieces.add(new Segment(segment.v(), 0, (segment.length() - covered) / segment.v()));
+      pieces.add(segment.lasting((segment.length() - covered) / segment.speed()));
     }
     return pieces;
   }

@@ -38,7 +38,7 @@ final class SpeedLimiter {
     Pose pose = start;
     double done = 0;
     for (double share : ends(rules, members, start, segment)) {
-      Segment piece = new Segment(segment.v(), segment.w(), (share - done) * segment.t());
+      Segment piece = segment.lasting((share - done) * segment.t());
       pieces.add(slowed(piece, share(rules, members, pose, piece)));
       pose = pose.advanced(piece.twist(), piece.t());
       done = share;
@@ -71,7 +71,8 @@ final class SpeedLimiter {
     double share = 1;
     for (Vec2 member : members) {
       // v_p = v + w x p
-      double speed = Math.hypot(piece.v() - piece.w() * member.y(), piece.w() * member.x());
+      double speed =
+          Math.hypot(piece.v() - piece.w() * member.y(), piece.u() + piece.w() * member.x());
       Pose pose = start;
       for (int i = 0; i < parts && speed > 0; i++) {
         Pose next = pose.advanced(piece.twist(), piece.t() / parts);
@@ -83,9 +84,7 @@ final class SpeedLimiter {
   }
 
   private static Segment slowed(Segment piece, double share) {
-    return share >= 1
-        ? piece
-        : new Segment(piece.v() * share, piece.w() * share, piece.t() / share);
+    return share >= 1 ? piece : piece.slowed(share);
   }
 
   private static Vec2 at(Pose pose, Vec2 member) {

@@ -93,7 +93,7 @@ final class SweptArea {
 
   /** Of a disc that drives a segment. */
   static SweptArea along(Pose from, Segment segment, double radius) {
-    if (segment.v() == 0) {
+    if (segment.speed() == 0) {
       return at(from.position(), radius);
     }
     double angle = Math.abs(segment.angle());

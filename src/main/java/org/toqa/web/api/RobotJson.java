@@ -58,12 +58,13 @@ public record RobotJson(
     @Nullable String driver,
     @Nullable NetworkRoute networkRoute) {
 
-  /** Metres a second forward, radians a second counter-clockwise. */
-  private record TwistJson(double v, double w) {
+  /** Metres a second forward, radians a second counter-clockwise, metres a second to the left. */
+  private record TwistJson(double v, double w, double u) {
     static @Nullable TwistJson of(RobotView.Readings readings) {
       Double v = readings.speed();
       Double w = readings.turnRate();
-      return v == null || w == null ? null : new TwistJson(v, w);
+      Double u = readings.sideways();
+      return v == null || w == null ? null : new TwistJson(v, w, u == null ? 0 : u);
     }
   }
 

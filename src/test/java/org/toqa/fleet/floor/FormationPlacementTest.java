@@ -18,7 +18,7 @@ import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.toqa.fleet.RobotCapabilities;
-import org.toqa.formation.FollowerLawType;
+import org.toqa.formation.GroupMobility;
 import org.toqa.geometry.Pose;
 import org.toqa.geometry.Vec2;
 import org.toqa.grid.Cell;
@@ -101,7 +101,7 @@ class FormationPlacementTest {
         paths++;
         assertTrue(
             finePlaces
-                .find(start.position(), goal.position(), 2, null, RADIUS, FollowerLawType.OMNI)
+                .find(start.position(), goal.position(), 2, null, RADIUS, GroupMobility.SHIFTING)
                 .isPresent(),
             start + " to " + goal);
       }
@@ -144,7 +144,7 @@ class FormationPlacementTest {
 
   private static Optional<Formation> round(Place start, Place goal, int robots) {
     return places.find(
-        start.position(), goal.position(), robots, null, RADIUS, FollowerLawType.OMNI);
+        start.position(), goal.position(), robots, null, RADIUS, GroupMobility.SHIFTING);
   }
 
   private static Pose beside(Pose place, Random random) {

@@ -93,7 +93,8 @@ class LinkCodecProperties {
   Arbitrary<ServerMessage.Drive> drives() {
     Arbitrary<Double> numbers = Arbitraries.doubles().between(-1000, 1000);
     Arbitrary<Segment> segments =
-        Combinators.combine(numbers, numbers, numbers).as((v, w, t) -> new Segment(v, w, t));
+        Combinators.combine(numbers, numbers, numbers, numbers)
+            .as((v, w, t, u) -> new Segment(v, w, t, u));
     Arbitrary<Pose> poses =
         Combinators.combine(numbers, numbers, Arbitraries.doubles().between(-3, 3))
             .as((x, y, theta) -> new Pose(x, y, theta));

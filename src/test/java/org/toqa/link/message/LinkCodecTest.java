@@ -84,6 +84,21 @@ class LinkCodecTest {
   }
 
   /** As an earlier release sends it. */
+  @ParameterizedTest
+  @MethodSource({"serverLines", "agentLines"})
+  void whoDoesNotTellItGoesNotSideways(String line) {
+    String earlier = line.replaceAll(",\"u\":[-0-9.]+", "").replaceAll(",\"shifts\":\\w+", "");
+    String same =
+        line.replaceAll("\"u\":[-0-9.]+", "\"u\":0.0")
+            .replaceAll("\"shifts\":\\w+", "\"shifts\":false");
+    assertEquals(
+        same,
+        serverLines().anyMatch(line::equals)
+            ? text(LinkCodec.encode(understood(LinkCodec.decodeServerMessage(line(earlier)))))
+            : text(LinkCodec.encode(understood(LinkCodec.decodeAgentMessage(line(earlier))))));
+  }
+
+  /** As an earlier release sends it. */
   @Test
   void robotThatDoesNotTellItHasNoRouteInAnAdHocNetwork() {
     String state =

@@ -99,7 +99,7 @@ final class DrivenBody {
     change(decision);
     if (trajectory != null) {
       require(
-          trajectory.segments().stream().allMatch(s -> s.v() < maxSpeed + 1e-9),
+          trajectory.segments().stream().allMatch(s -> s.speed() < maxSpeed + 1e-9),
           decision.robot() + " was told to drive faster than it can");
     }
   }

@@ -43,6 +43,9 @@ class SweptAreaPropertyTest {
   }
 
   private static Segment segment(Random random) {
+    if (random.nextInt(4) == 0) {
+      return Segment.shift(2 * random.nextDouble() - 1, 0.1 + 4 * random.nextDouble());
+    }
     double w = random.nextInt(3) == 0 ? 0 : 2 * random.nextDouble() - 1;
     return new Segment(
         random.nextInt(4) == 0 ? 0 : random.nextDouble(), w, 0.1 + 4 * random.nextDouble());

@@ -82,8 +82,9 @@ class WallMarginTest {
     FormationPaths wide = new FormationPaths(grid, new Margins(0.05, 0.6), goal);
 
     double door = 14 * RESOLUTION;
-    assertTrue(usual.hasPath(formation, leader), () -> "needs " + usual.passageWidth(formation));
+    assertTrue(
+        usual.hasPath(formation, leader, false), () -> "needs " + usual.passageWidth(formation));
     assertTrue(usual.passageWidth(formation) < door && door < wide.passageWidth(formation));
-    assertFalse(wide.hasPath(formation, leader));
+    assertFalse(wide.hasPath(formation, leader, false));
   }
 }

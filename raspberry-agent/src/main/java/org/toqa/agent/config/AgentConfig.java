@@ -93,6 +93,11 @@ public record AgentConfig(
     }
   }
 
+  /** Whether it can lead a group sideways, and follow so. */
+  public boolean canShift() {
+    return kind.canGoSideways() && following.law() instanceof SingleIntegratorLaw;
+  }
+
   /** With the usual avoidance, in no ad hoc network. */
   public AgentConfig(
       String name,

@@ -1,5 +1,6 @@
 package org.toqa.agent.control;
 
+import java.util.List;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.Set;
@@ -20,6 +21,7 @@ import org.toqa.link.message.ServerMessage.Locate;
 import org.toqa.link.message.ServerMessage.Release;
 import org.toqa.link.message.ServerMessage.Room;
 import org.toqa.motion.DriveKind;
+import org.toqa.motion.Segment;
 
 /**
  * What a robot refuses for what it does now. Each rule answers with the sentence that goes back to
@@ -35,6 +37,7 @@ final class CommandRules {
   private final RobotRecord record;
   private final DriveKind kind;
   private final Avoidance avoidance;
+  private final boolean canShift;
 
   /**
    * @param encrypted whether the link is
@@ -46,6 +49,7 @@ final class CommandRules {
     this.record = record;
     this.kind = config.kind();
     this.avoidance = config.avoidance();
+    this.canShift = config.canShift();
   }
 
   /** The drive that a command names. */
@@ -78,6 +82,7 @@ final class CommandRules {
     return objectionToDriving(activity)
         .or(() -> objectionOfArm(arm))
         .or(() -> objectionAsLeader(drive, activity))
+        .or(() -> objectionToShift(drive.segments(), activity))
         .or(() -> driveRules.objectionTo(drive, record.pose()));
   }
 
@@ -112,8 +117,9 @@ final class CommandRules {
                         .formatted(act.seq()));
   }
 
-  Optional<String> objectionTo(Extend extend, DriveRun run) {
-    return driveRules.objectionTo(extend, run.trajectory());
+  Optional<String> objectionTo(Extend extend, DriveRun run, Activity activity) {
+    return objectionToShift(extend.segments(), activity)
+        .or(() -> driveRules.objectionTo(extend, run.trajectory()));
   }
 
   Optional<String> objectionTo(Release release, DriveRun run) {
@@ -188,6 +194,14 @@ final class CommandRules {
     return activity.drive().isEmpty() && record.reading().isStanding()
         ? Optional.empty()
         : Optional.of("The robot is still moving; wait until it has stopped.");
+  }
+
+  /** The body of a robot alone drives by itself, and knows of no shift. */
+  private Optional<String> objectionToShift(List<Segment> segments, Activity activity) {
+    return segments.stream().anyMatch(Segment::shifts) && !(canShift && activity instanceof Leading)
+        ? Optional.of(
+            "Only a leader that can go sideways shifts its group; send segments without u.")
+        : Optional.empty();
   }
 
   private static Optional<String> objectionAsLeader(Drive drive, Activity activity) {

@@ -156,8 +156,7 @@ final class PathRelay {
     List<Segment> segments = new ArrayList<>();
     for (int i = from; i < to; i++) {
       Segment whole = trajectory.segment(i);
-      segments.add(
-          i == now.base() ? new Segment(whole.v(), whole.w(), whole.t() - now.offset()) : whole);
+      segments.add(i == now.base() ? whole.lasting(whole.t() - now.offset()) : whole);
     }
     return segments;
   }

@@ -202,7 +202,9 @@ public final class RobotControl {
       case Extend extend ->
           checkChange(
               extend.drive(),
-              run -> CommandCheck.of(rules.objectionTo(extend, run), () -> run.extend(extend)));
+              run ->
+                  CommandCheck.of(
+                      rules.objectionTo(extend, run, activity), () -> run.extend(extend)));
       case Release release ->
           checkChange(
               release.drive(),

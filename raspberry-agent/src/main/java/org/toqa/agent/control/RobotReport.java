@@ -76,7 +76,8 @@ public record RobotReport(
         arm == null ? null : arm.act(),
         entry.acted(),
         room,
-        config.avoidance() == Avoidance.FOUR_AGENTS);
+        config.avoidance() == Avoidance.FOUR_AGENTS,
+        config.canShift());
   }
 
   /**
@@ -89,7 +90,7 @@ public record RobotReport(
         stamp,
         isLocalised,
         pose,
-        new Speed(reading.twist().vx(), reading.twist().w()),
+        Speed.of(reading.twist()),
         mode,
         entry.task(),
         entry.phase(),

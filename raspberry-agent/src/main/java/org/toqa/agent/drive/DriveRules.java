@@ -171,6 +171,16 @@ public final class DriveRules {
             "Segment %d has %s m/s; this robot drives at most %s m/s.",
             from + i, s.v(), limits.speed());
       }
+      if (!(Math.abs(s.u()) <= limits.speed() * ROUNDING)) {
+        return objection(
+            "Segment %d goes sideways by %s m/s; this robot drives at most %s m/s.",
+            from + i, s.u(), limits.speed());
+      }
+      if (s.shifts() && (s.v() != 0 || s.w() != 0)) {
+        return objection(
+            "Segment %d goes sideways, so its v and w must be 0, not %s and %s.",
+            from + i, s.v(), s.w());
+      }
       if (!(Math.abs(s.w()) <= limits.turnRate() * ROUNDING)) {
         return objection(
             "Segment %d turns by %s rad/s; this robot turns by at most %s rad/s.",

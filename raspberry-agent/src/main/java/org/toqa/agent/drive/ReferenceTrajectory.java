@@ -128,12 +128,12 @@ public final class ReferenceTrajectory {
     double left = metres;
     for (int i = completedCount; i < releasedCount && left > 0; i++) {
       Segment segment = segments.get(i);
-      if (segment.v() != 0) {
-        double length = Math.min(left, Math.abs(segment.v()) * (segment.t() - from));
+      if (segment.speed() != 0) {
+        double length = Math.min(left, segment.speed() * (segment.t() - from));
         int pieces = segment.w() == 0 ? 1 : (int) Math.ceil(length / PIECE_METRES);
         for (int piece = 1; piece <= pieces; piece++) {
           double metresIn = length * piece / pieces;
-          poses.add(start.advanced(segment.twist(), from + metresIn / Math.abs(segment.v())));
+          poses.add(start.advanced(segment.twist(), from + metresIn / segment.speed()));
         }
         left -= length;
       }
@@ -154,7 +154,7 @@ public final class ReferenceTrajectory {
     for (int i = Math.min(index, here); i < Math.max(index, here); i++) {
       metres += segments.get(i).length();
     }
-    double done = here < segments.size() ? Math.abs(segments.get(here).v()) * timeInSegment : 0;
+    double done = here < segments.size() ? segments.get(here).speed() * timeInSegment : 0;
     return (index < here ? -metres : metres) - done;
   }
 
@@ -277,9 +277,9 @@ public final class ReferenceTrajectory {
     double left = metres;
     for (int i = completedCount; i < releasedCount && left < Double.POSITIVE_INFINITY; i++) {
       Segment segment = segments.get(i);
-      left += i == completedCount ? Math.abs(segment.v()) * timeInSegment : 0;
-      if (segment.v() != 0 && left <= segment.length()) {
-        return seconds + left / Math.abs(segment.v());
+      left += i == completedCount ? segment.speed() * timeInSegment : 0;
+      if (segment.speed() != 0 && left <= segment.length()) {
+        return seconds + left / segment.speed();
       }
       left -= segment.length();
       seconds += segment.t();
@@ -291,7 +291,7 @@ public final class ReferenceTrajectory {
     return Math.min(
         MAX_PACE_RATE,
         Math.min(
-            limits.acceleration() / Math.abs(segment.v()),
+            limits.acceleration() / segment.speed(),
             limits.turnAcceleration() / Math.abs(segment.w())));
   }
 
@@ -299,7 +299,7 @@ public final class ReferenceTrajectory {
     return Math.min(
         1,
         Math.min(
-            limits.speedJump() / Math.abs(after.v() - before.v()),
+            limits.speedJump() / Math.hypot(after.v() - before.v(), after.u() - before.u()),
             limits.turnRateJump() / Math.abs(after.w() - before.w())));
   }
 }

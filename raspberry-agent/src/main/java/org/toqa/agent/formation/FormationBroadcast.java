@@ -62,8 +62,7 @@ public final class FormationBroadcast implements AutoCloseable {
    */
   public void sendPose(Pose pose, Twist twist, boolean braking, long stamp, long nanos) {
     if (timer.fireIfDue(braking, nanos)) {
-      LeaderPose message =
-          new LeaderPose(order.task(), ++seq, stamp, pose, new Speed(twist.vx(), twist.w()));
+      LeaderPose message = new LeaderPose(order.task(), ++seq, stamp, pose, Speed.of(twist));
       links.forEach(link -> link.send(message));
     }
   }

@@ -40,7 +40,7 @@ public final class FormationFollower {
   public void recordLeaderPose(LeaderPose pose, double now) {
     if (pose.seq() > lastSeq && DriveRules.isOnAnyMap(pose.pose())) {
       lastSeq = pose.seq();
-      follower.receive(pose.pose(), new Twist(pose.twist().v(), 0, pose.twist().w()), now);
+      follower.receive(pose.pose(), pose.twist().twist(), now);
     }
   }
 

@@ -10,9 +10,11 @@ import net.jqwik.api.Combinators;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
 import net.jqwik.api.Provide;
+import net.jqwik.api.Tuple;
 import net.jqwik.api.constraints.IntRange;
 import net.jqwik.api.constraints.Size;
 import org.toqa.geometry.Pose;
+import org.toqa.geometry.Twist;
 import org.toqa.motion.Segment;
 import org.toqa.motion.Trajectory;
 
@@ -43,16 +45,17 @@ class ReferenceTrajectoryProperties {
     ReferenceTrajectory reference =
         new ReferenceTrajectory(
             START, segments, segments.size(), PaceLimits.forSingleRobot(LIMITS));
-    double fastest = segments.stream().mapToDouble(s -> Math.abs(s.v())).max().orElseThrow();
+    double fastest = segments.stream().mapToDouble(Segment::speed).max().orElseThrow();
     for (int i = 0; i < MANY_TICKS && reference.completedCount() < reference.size(); i++) {
       Pose before = reference.pose();
       int segment = reference.completedCount();
-      double speed = reference.twist().vx();
+      Twist twist = reference.twist();
       reference.advance(TICK, i % 300 < 200 ? 1 : 0);
 
       assertTrue(before.distanceTo(reference.pose()) <= fastest * TICK + 1e-9);
       if (reference.completedCount() == segment) {
-        double change = Math.abs(reference.twist().vx() - speed);
+        double change =
+            Math.hypot(reference.twist().vx() - twist.vx(), reference.twist().vy() - twist.vy());
         assertTrue(change <= LIMITS.acceleration() * TICK + 1e-9, "changes by " + change);
       }
     }
@@ -101,7 +104,11 @@ class ReferenceTrajectoryProperties {
                 Arbitraries.doubles().between(-3.5, 3.5),
                 Arbitraries.doubles().between(0.01, 10))
             .as((v, w, t) -> new Segment(v, w, t));
-    return any.list();
+    Arbitrary<Segment> shift =
+        Combinators.combine(
+                Arbitraries.doubles().between(-0.5, 0.5), Arbitraries.doubles().between(0.01, 10))
+            .as((u, t) -> Segment.shift(u, t));
+    return Arbitraries.frequencyOf(Tuple.of(3, any), Tuple.of(1, shift)).list();
   }
 
   private static void runToAStand(ReferenceTrajectory reference) {
