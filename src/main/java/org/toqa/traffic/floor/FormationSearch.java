@@ -10,6 +10,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import org.toqa.formation.Shape;
+import org.toqa.geometry.Angles;
 import org.toqa.geometry.Pose;
 import org.toqa.geometry.Twist;
 import org.toqa.geometry.Vec2;
@@ -53,6 +54,9 @@ final class FormationSearch {
 
   /** Metres; the goal is met in a circle several times as wide. */
   private static final double STEP_TO_GOAL = 0.02;
+
+  /** Radians that a group has come to stand askew, at most, which it corrects on a short arc. */
+  private static final double MOST_ASKEW = 0.1;
 
   /** Metres a second to the side, where no sensor looks. */
   private static final double SHIFT_SPEED = 0.1;
@@ -268,12 +272,19 @@ final class FormationSearch {
     }
   }
 
-  /** Straight on and to the side, or the other way round. */
+  /** Straight on and to the side, or the other way round; first it turns as it shall face. */
   private void enterByShift(int state) {
-    Pose there = start.relative(lattice.pose(state));
-    double length = there.x() + FormationMoves.shiftCost(there.y());
-    if (Math.abs(there.theta()) > ROUNDING
-        || Math.abs(there.y()) > lattice.step()
+    double askew = Angles.difference(start.theta(), lattice.pose(state).theta());
+    if (Math.abs(askew) > MOST_ASKEW) {
+      return;
+    }
+    List<Segment> turn =
+        Math.abs(askew) > ROUNDING
+            ? List.of(arc(new Twist(radius * Math.abs(askew), 0, askew)))
+            : List.of();
+    Pose there = new Trajectory(start, turn).end().relative(lattice.pose(state));
+    double length = radius * Math.abs(askew) + there.x() + FormationMoves.shiftCost(there.y());
+    if (Math.abs(there.y()) > LONGEST_ENTRY
         || there.x() < -ROUNDING
         || there.x() > LONGEST_ENTRY
         || length >= lengths[state]) {
@@ -283,7 +294,8 @@ final class FormationSearch {
     addStraight(ahead, there.x());
     List<Segment> aside = new ArrayList<>();
     addShift(aside, there.y());
-    for (List<List<Segment>> order : List.of(List.of(ahead, aside), List.of(aside, ahead))) {
+    for (List<List<Segment>> order :
+        List.of(List.of(turn, ahead, aside), List.of(turn, aside, ahead))) {
       List<Segment> entry = order.stream().flatMap(List::stream).toList();
       if (!entry.isEmpty() && isOpenWithShift(entry)) {
         reach(state, -1, length);
@@ -293,12 +305,12 @@ final class FormationSearch {
     }
   }
 
-  /** Whether it can be led so, with what a shift keeps clear before it. */
+  /** Whether it can be led so, with what a shift keeps clear before it if it is no correction. */
   private boolean isOpenWithShift(List<Segment> entry) {
     Trajectory trajectory = new Trajectory(start, entry);
     for (int i = 0; i < entry.size(); i++) {
       Segment segment = entry.get(i);
-      if (segment.shifts()) {
+      if (segment.shifts() && segment.length() > Trajectory.MAX_DEVIATION) {
         double more = FormationMoves.SHIFT_MARGIN / segment.speed();
         Segment longer = segment.lasting(segment.t() + more);
         if (!clearance.isKeptOnEntry(new Trajectory(trajectory.poseAfter(i), List.of(longer)))) {
