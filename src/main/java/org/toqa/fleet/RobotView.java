@@ -125,7 +125,16 @@ public record RobotView(
         @Nullable Double measuredLoad,
         @Nullable ArmState arm,
         @Nullable CameraView camera) {
-      this(speed, turnRate, ranges, placeError, measuredLoad, arm, camera, null, speed == null ? null : 0.0);
+      this(
+          speed,
+          turnRate,
+          ranges,
+          placeError,
+          measuredLoad,
+          arm,
+          camera,
+          null,
+          speed == null ? null : 0.0);
     }
 
     /** Of a robot without an arm and cameras, which does not go sideways. */

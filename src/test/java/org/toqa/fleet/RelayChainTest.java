@@ -20,7 +20,7 @@ class RelayChainTest {
             new Telemetry(
                 null,
                 null,
-                new Readings(null, null, List.of(), null, null, null, null, route),
+                new Readings(null, null, List.of(), null, null, null, null, route, null),
                 List.of(),
                 null));
   }

@@ -61,8 +61,7 @@ public final class Hall {
   public static RobotView seeing(RobotView robot, SeenBox... boxes) {
     Telemetry heard = robot.telemetry();
     Readings readings =
-        new Readings(
-            null, null, List.of(), null, null, null, new CameraView(4, List.of(boxes)), null);
+        new Readings(null, null, List.of(), null, null, null, new CameraView(4, List.of(boxes)));
     return robot.withTelemetry(
         new Telemetry(heard.pose(), heard.battery(), readings, List.of(), START));
   }

@@ -71,7 +71,7 @@ class SupervisionRulesTest {
         new RobotView.Telemetry(
             robot.telemetry().pose(),
             robot.telemetry().battery(),
-            new Readings(null, null, List.of(), null, null, null, camera, null),
+            new Readings(null, null, List.of(), null, null, null, camera),
             List.of(),
             NOON));
   }

@@ -311,7 +311,8 @@ class PagesTest extends WebServerTest {
                         4.2,
                         null,
                         null,
-                        new NetworkRoute("10.0.0.9", 768, 0.94)),
+                        new NetworkRoute("10.0.0.9", 768, 0.94),
+                        0.0),
                     List.of(),
                     said.lastSeen()))
             .withUnreachable(Phrase.NOBODY_LISTENS.with("r8", "10.0.0.7:7277"));
