@@ -157,18 +157,7 @@ class HttpRobotLinkTest {
    */
   @Test
   void rangesThatItPublishesCorrectWhereItTakesItselfToBe() throws Exception {
-    robot.close();
-    SimulatedHttpRobot.Settings usual = SimulatedHttpRobot.Settings.of(TOKEN, START);
-    Sonar sonar = new Sonar(5, 0.01);
-    robot =
-        new SimulatedHttpRobot(
-            new SimulatedHttpRobot.Settings(
-                usual.address(), 0, TOKEN, null, null, START, 0, 0.03, 2, 5, Duration.ZERO, sonar));
-    Walls room = new GridWalls(new OccupancyGrid(60, 80, 0.1, Vec2.ZERO, new BitSet()));
-    RobotLink opened = connect();
-    heard.await(Hello.class);
-    var _ = pings.scheduleAtFixedRate(() -> publish(room), 0, 50, TimeUnit.MILLISECONDS);
-
+    RobotLink opened = connectWithSonar();
     opened.send(
         new Locate(
             seq.incrementAndGet(), new Pose(START.x() + 0.05, START.y() - 0.04, START.theta())));
@@ -182,6 +171,36 @@ class HttpRobotLinkTest {
 
     assertEquals(0, end.pose().distanceTo(robot.truePose()), 0.03, end.pose()::toString);
     assertEquals(0, robot.truePose().distanceTo(new Pose(4, 4, 0)), 0.05);
+  }
+
+  /** The same room, in which it was said to stand a metre from where it does. */
+  @Test
+  void whoseRangesDoNotFitTheMapStandsAndDoesNotKnowWhereItIs() throws Exception {
+    RobotLink opened = connectWithSonar();
+    Pose said = new Pose(START.x() - 0.7, START.y() + 0.7, START.theta());
+    opened.send(new Locate(seq.incrementAndGet(), said));
+    heard.await(State.class, State::localised);
+    List<Segment> metre = List.of(new Segment(0.25, 0, 4));
+    opened.send(new Drive(seq.incrementAndGet(), 5L, 1, said, metre, 1, true, 0));
+
+    State lost = heard.await(State.class, state -> state.mode() == Mode.ERROR);
+    assertFalse(lost.localised());
+    assertEquals("PLACE_LOST", lost.errors().getFirst().code());
+  }
+
+  private RobotLink connectWithSonar() throws Exception {
+    robot.close();
+    SimulatedHttpRobot.Settings usual = SimulatedHttpRobot.Settings.of(TOKEN, START);
+    Sonar sonar = new Sonar(5, 0.01);
+    robot =
+        new SimulatedHttpRobot(
+            new SimulatedHttpRobot.Settings(
+                usual.address(), 0, TOKEN, null, null, START, 0, 0.03, 2, 5, Duration.ZERO, sonar));
+    Walls room = new GridWalls(new OccupancyGrid(60, 80, 0.1, Vec2.ZERO, new BitSet()));
+    RobotLink opened = connect();
+    heard.await(Hello.class);
+    var _ = pings.scheduleAtFixedRate(() -> publish(room), 0, 50, TimeUnit.MILLISECONDS);
+    return opened;
   }
 
   /** What four sensors on its rim see of the room, ahead, to both sides and back. */

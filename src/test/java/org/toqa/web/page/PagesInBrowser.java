@@ -175,11 +175,11 @@ abstract class PagesInBrowser extends BrowserTest {
       return page.locator(selector).first();
     }
 
-    /** At what comes next, which is there then. */
+    /** At what comes next, which is there then; a page that is just loaded may move the focus. */
     private void look(Locator next) {
+      page.waitForLoadState();
       assertThat(next).isVisible();
       if (film != null) {
-        page.waitForLoadState();
         film.take(page);
       }
     }

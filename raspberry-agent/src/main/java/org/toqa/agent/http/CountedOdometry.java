@@ -97,11 +97,9 @@ final class CountedOdometry implements AutoCloseable {
       odometry.update(now);
       counts = now;
     } else {
-      epoch++;
       boot = report.boot();
       counts = now;
-      twist = Twist.ZERO;
-      odometry = odometryAt(ORIGIN);
+      beginAnew();
     }
     last = report;
     lastAsked = asked;
@@ -154,6 +152,13 @@ final class CountedOdometry implements AutoCloseable {
   /** Moved since the odometry began, in the frame of the pose that the robot had then. */
   Pose pose() {
     return odometry.pose();
+  }
+
+  /** From here on it is counted from another origin: nobody knows where the former one is. */
+  void beginAnew() {
+    epoch++;
+    twist = Twist.ZERO;
+    odometry = odometryAt(ORIGIN);
   }
 
   /** Corrects that. */

@@ -60,6 +60,12 @@ public final class HttpChassis implements Chassis {
           "The counts of the robot's wheels have jumped by more than they can turn: nobody knows"
               + " where it is.");
 
+  private static final Fault LOST =
+      new Fault(
+          "PLACE_LOST",
+          "Most of what its range sensors measure does not fit the map where the robot took itself"
+              + " to be: nobody knows where it is.");
+
   private static final Fault CONTESTED =
       new Fault("OTHER_SERVER", "Another program commands the wheels of this robot too.");
 
@@ -87,6 +93,7 @@ public final class HttpChassis implements Chassis {
   private long lastNanos;
   private @Nullable HttpRobotException failure;
   private long jumpedUntil;
+  private long lostUntil;
   private long contestedUntil;
   private Twist velocity = Twist.ZERO;
 
@@ -144,6 +151,7 @@ public final class HttpChassis implements Chassis {
     answeredNanos = nanos;
     lastNanos = nanos;
     jumpedUntil = nanos;
+    lostUntil = nanos;
     contestedUntil = nanos;
   }
 
@@ -171,7 +179,7 @@ public final class HttpChassis implements Chassis {
     double seconds = Math.clamp((nanos - lastNanos) / 1e9, 0, LONGEST_STEP_SECONDS);
     lastNanos = nanos;
     awaitAnswer(nanos);
-    correct();
+    correct(nanos);
     take(command);
     SegmentQueue path = queue;
     Twist wanted = path == null ? velocity : path.steer(odometry.pose(), seconds);
@@ -189,10 +197,24 @@ public final class HttpChassis implements Chassis {
     }
   }
 
-  private void correct() {
-    if (correction != null) {
-      correction.correct(odometry.pose(), odometry.twist()).ifPresent(odometry::setPose);
+  private void correct(long nanos) {
+    if (correction == null) {
+      return;
     }
+    correction.correct(odometry.pose(), odometry.twist()).ifPresent(odometry::setPose);
+    if (correction.isLost()) {
+      log.warn("A robot over HTTP has lost itself: what it measures does not fit the map.");
+      odometry.beginAnew();
+      standAnywhere();
+      lostUntil = nanos + TELLING_NANOS;
+    }
+  }
+
+  /** Nobody knows where it is. */
+  private void standAnywhere() {
+    queue = null;
+    velocity = Twist.ZERO;
+    setAnchor(null);
   }
 
   private void take(ChassisCommand command) {
@@ -253,9 +275,7 @@ public final class HttpChassis implements Chassis {
     seq = Math.max(seq, answer.seq());
     CountedOdometry.Outcome outcome = odometry.update(answer, exchange.begun(), exchange.ended());
     if (outcome != CountedOdometry.Outcome.CONTINUED) {
-      queue = null;
-      velocity = Twist.ZERO;
-      setAnchor(null);
+      standAnywhere();
       log.warn("Counts of a robot over HTTP: {} ({}).", outcome, answer);
     }
     if (outcome == CountedOdometry.Outcome.JUMPED) {
@@ -293,6 +313,9 @@ public final class HttpChassis implements Chassis {
     }
     if (nanos - jumpedUntil < 0) {
       faults.add(JUMPED);
+    }
+    if (nanos - lostUntil < 0) {
+      faults.add(LOST);
     }
     if (nanos - contestedUntil < 0) {
       faults.add(CONTESTED);

@@ -13,7 +13,8 @@ import org.toqa.localisation.RangeSource;
 
 /**
  * Corrects the odometry of a robot over HTTP by the ultrasonic ranges that it publishes ({@link
- * RangeFilter}). It begins where a person says that the robot stands. For one thread.
+ * RangeFilter}). It begins where a person says that the robot stands, and knows when what is
+ * measured no longer fits that. For one thread.
  */
 final class PoseCorrection {
   /** Metres, radians: how exactly a person says where a robot stands. */
@@ -28,6 +29,14 @@ final class PoseCorrection {
   /** Seconds by which ranges may be older than wheel counts: they come on another way. */
   private static final double LATE = 0.1;
 
+  /** Metres driven, and ranges judged, over which it is found out whether they fit the map. */
+  private static final double JUDGED_OVER = 0.5;
+
+  private static final int LEAST_JUDGED = 20;
+
+  /** Of those, who has so many that do not fit has lost itself. */
+  private static final double MOST_REFUSED = 0.75;
+
   private final RangeSource source;
   private final double deviation;
   private final double radius;
@@ -38,6 +47,12 @@ final class PoseCorrection {
 
   private @Nullable PoseEstimate estimate;
   private Pose before = new Pose(0, 0, 0);
+
+  /** Since it was last found out whether ranges fit. */
+  private double driven;
+
+  private int used;
+  private int refused;
 
   PoseCorrection(RangeSource source, RobotDescription body, RobotDescription.Sonar sonar) {
     this.source = source;
@@ -53,6 +68,7 @@ final class PoseCorrection {
     if (now == null || !now.equals(anchor)) {
       anchor = now;
       estimate = null;
+      restartJudging();
     }
   }
 
@@ -74,6 +90,7 @@ final class PoseCorrection {
             ? PoseEstimate.of(origin.compose(odometry), PLACED, PLACED)
             : filter.moved(known, before, odometry);
     estimate = now;
+    driven += known == null ? 0 : before.distanceTo(odometry);
     before = odometry;
     return source.take().flatMap(measured -> corrected(origin, now, measured, twist));
   }
@@ -82,6 +99,8 @@ final class PoseCorrection {
       Pose origin, PoseEstimate now, RangeSource.Measured measured, Twist twist) {
     RangeFilter.Correction correction =
         filter.corrected(now, ranges(measured, twist), measured.walls());
+    used += correction.used();
+    refused += correction.refused();
     if (correction.used() == 0) {
       return Optional.empty();
     }
@@ -89,6 +108,26 @@ final class PoseCorrection {
     estimate = correction.estimate();
     before = corrected;
     return Optional.of(corrected);
+  }
+
+  /**
+   * Whether most of what was measured while it last drove a piece does not fit the map where it is
+   * taken to be. To be asked after each correction.
+   */
+  boolean isLost() {
+    int judged = used + refused;
+    if (driven < JUDGED_OVER || judged < LEAST_JUDGED) {
+      return false;
+    }
+    boolean isLost = refused >= MOST_REFUSED * judged;
+    restartJudging();
+    return isLost;
+  }
+
+  private void restartJudging() {
+    driven = 0;
+    used = 0;
+    refused = 0;
   }
 
   private List<RangeFilter.Range> ranges(RangeSource.Measured measured, Twist twist) {
