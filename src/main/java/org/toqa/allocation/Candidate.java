@@ -54,8 +54,7 @@ public record Candidate(
         battery,
         availability,
         task,
-        true,
-        false);
+        true);
   }
 
   /** Of one with which no group is led sideways. */

@@ -64,7 +64,19 @@ public final class RangeFilter {
    * @param nearest metres: sensors tell what is nearer as this
    * @param farthest metres: sensors tell as this, or more, that they see nothing
    */
-  public record Body(double track, double travelNoise, double nearest, double farthest) {}
+  public record Body(double track, double travelNoise, double nearest, double farthest) {
+
+    /** Metres: the variance of a metre that a wheel rolls is 1 cm2. */
+    private static final double TRAVEL_NOISE = 1e-4;
+
+    /** Metres: ultrasonic sensors ring on while something is nearer. */
+    private static final double NEAREST = 0.02;
+
+    /** Of a robot with ultrasonic sensors. */
+    public static Body withSonar(double track, double farthest) {
+      return new Body(track, TRAVEL_NOISE, NEAREST, farthest);
+    }
+  }
 
   /**
    * What a sensor measured.

@@ -9,9 +9,11 @@ import java.net.Socket;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.attribute.PosixFilePermissions;
+import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.concurrent.locks.LockSupport;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -31,6 +33,11 @@ import tools.jackson.databind.JsonNode;
 class AdHocNetworkIT {
   private static final int ROBOTS = 3;
   private static final int ROBOT_PORT = 7275;
+
+  /** Surely, also on a busy machine. */
+  private static final Duration REACHED_WITHIN = Duration.ofMinutes(5);
+
+  private static final Duration BETWEEN_TRIES = Duration.ofMillis(50);
   private static final String KEY = "00112233445566778899aabbccddeeff".repeat(2);
 
   /** Where they are at first; r3 is nearest to the load. */
@@ -143,13 +150,17 @@ class AdHocNetworkIT {
   }
 
   /** Routes take a moment. */
-  private static void awaitReached(String address) throws Exception {
+  private static void awaitReached(String address) throws IOException {
+    long end = System.nanoTime() + REACHED_WITHIN.toNanos();
     while (true) {
       try (Socket socket = new Socket()) {
         socket.connect(new InetSocketAddress(address, ROBOT_PORT), 500);
         return;
       } catch (IOException e) {
-        Thread.sleep(50);
+        if (System.nanoTime() > end) {
+          throw e;
+        }
+        LockSupport.parkNanos(BETWEEN_TRIES.toNanos());
       }
     }
   }

@@ -68,7 +68,7 @@ class BuildingDemoIT extends BrowserTest {
             snapshot -> areAllDone(snapshot.get("tasks")) && isSecondRobotFree(snapshot));
       }
 
-      page.waitForCondition(() -> isTurnedByHand(page, root));
+      page.waitForCondition(() -> tryToTurnByHand(page, root));
 
       demo.terminate();
       // 128 + SIGTERM; a suite in the background hands on that Ctrl-C is ignored
@@ -80,10 +80,12 @@ class BuildingDemoIT extends BrowserTest {
   }
 
   /**
-   * Turned until it is seen to turn, and left. On a busy machine the robot may not answer in time:
-   * then it is nobody's, and a person begins again.
+   * Turns it until it is seen to turn, and leaves it. On a busy machine the robot may not answer in
+   * time: then it is nobody's, and a person begins again.
+   *
+   * @return whether it was neither refused nor broken off
    */
-  private static boolean isTurnedByHand(Page page, String root) {
+  private static boolean tryToTurnByHand(Page page, String root) {
     page.navigate(root + "robots/r2/control");
     assertThat(page.locator("#pose")).hasText(Pattern.compile("\\d"));
     String before = page.locator("#pose").textContent();

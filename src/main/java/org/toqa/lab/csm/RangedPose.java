@@ -35,9 +35,6 @@ final class RangedPose {
 
   private static final double FARTHEST = 4;
 
-  /** Metres: the variance of a metre that a wheel rolls is 1 cm2. */
-  private static final double TRAVEL_NOISE = 1e-4;
-
   /** Metres, radians: how exactly a robot is put on its start. */
   private static final double PLACED = 0.005;
 
@@ -61,8 +58,7 @@ final class RangedPose {
     this.noise = noise;
     this.random = random;
     this.filter =
-        new RangeFilter(
-            new RangeFilter.Body(CsmParameters.LIMITS.track(), TRAVEL_NOISE, NEAREST, FARTHEST));
+        new RangeFilter(RangeFilter.Body.withSonar(CsmParameters.LIMITS.track(), FARTHEST));
     this.estimate = PoseEstimate.of(start, PLACED, PLACED);
     this.answered = start;
   }

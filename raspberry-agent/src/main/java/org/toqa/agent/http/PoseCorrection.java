@@ -20,12 +20,6 @@ final class PoseCorrection {
   /** Metres, radians: how exactly a person says where a robot stands. */
   private static final double PLACED = 0.03;
 
-  /** Metres: the variance of a metre that a wheel rolls is 1 cm2. */
-  private static final double TRAVEL_NOISE = 1e-4;
-
-  /** Metres: ultrasonic sensors ring on while something is nearer. */
-  private static final double NEAREST = 0.02;
-
   /** Seconds by which ranges may be older than wheel counts: they come on another way. */
   private static final double LATE = 0.1;
 
@@ -53,14 +47,13 @@ final class PoseCorrection {
 
   private int used;
   private int refused;
+  private boolean isLost;
 
   PoseCorrection(RangeSource source, RobotDescription body, RobotDescription.Sonar sonar) {
     this.source = source;
     this.deviation = sonar.deviation();
     this.radius = body.footprint() / 2;
-    this.filter =
-        new RangeFilter(
-            new RangeFilter.Body(body.track(), TRAVEL_NOISE, NEAREST, sonar.farthest()));
+    this.filter = new RangeFilter(RangeFilter.Body.withSonar(body.track(), sonar.farthest()));
   }
 
   /** Takes where the map has the origin of the odometry. */
@@ -68,6 +61,7 @@ final class PoseCorrection {
     if (now == null || !now.equals(anchor)) {
       anchor = now;
       estimate = null;
+      isLost = false;
       restartJudging();
     }
   }
@@ -101,6 +95,7 @@ final class PoseCorrection {
         filter.corrected(now, ranges(measured, twist), measured.walls());
     used += correction.used();
     refused += correction.refused();
+    judge();
     if (correction.used() == 0) {
       return Optional.empty();
     }
@@ -110,18 +105,17 @@ final class PoseCorrection {
     return Optional.of(corrected);
   }
 
-  /**
-   * Whether most of what was measured while it last drove a piece does not fit the map where it is
-   * taken to be. To be asked after each correction.
-   */
+  /** Whether most of what was measured fits no longer the map where it is taken to be. */
   boolean isLost() {
-    int judged = used + refused;
-    if (driven < JUDGED_OVER || judged < LEAST_JUDGED) {
-      return false;
-    }
-    boolean isLost = refused >= MOST_REFUSED * judged;
-    restartJudging();
     return isLost;
+  }
+
+  private void judge() {
+    int judged = used + refused;
+    if (driven >= JUDGED_OVER && judged >= LEAST_JUDGED) {
+      isLost = refused >= MOST_REFUSED * judged;
+      restartJudging();
+    }
   }
 
   private void restartJudging() {

@@ -86,15 +86,15 @@ class AgentConfigTest {
         AgentConfig.read(file(network)).adHocNetwork());
 
     Files.setPosixFilePermissions(key, PosixFilePermissions.fromString("rw-r--r--"));
-    isRefused(network, "a file that nobody else may read or write (chmod o-rw)");
+    assertRefused(network, "a file that nobody else may read or write (chmod o-rw)");
     Files.setPosixFilePermissions(key, PosixFilePermissions.fromString("rw-------"));
     Files.writeString(key, "secret");
-    isRefused(network, "a file with 64 hexadecimal digits");
+    assertRefused(network, "a file with 64 hexadecimal digits");
     Files.delete(key);
-    isRefused(network, "a file that can be read");
+    assertRefused(network, "a file that can be read");
   }
 
-  private void isRefused(String content, String sentence) {
+  private void assertRefused(String content, String sentence) {
     String said =
         assertThrows(ConfigException.class, () -> AgentConfig.read(file(content))).getMessage();
     assertTrue(said.contains(sentence), said);

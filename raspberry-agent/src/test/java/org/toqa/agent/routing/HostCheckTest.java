@@ -46,7 +46,7 @@ class HostCheckTest {
     Files.writeString(path, content);
   }
 
-  private void isUser(int id, String effective, String ambient) throws IOException {
+  private void setUser(int id, String effective, String ambient) throws IOException {
     write(
         "self/status",
         "Name:\tjava\nUid:\t%1$d\t%1$d\t%1$d\t%1$d\nCapEff:\t%2$s\nCapAmb:\t%3$s\n"
@@ -57,14 +57,14 @@ class HostCheckTest {
     return new AdHocNetwork(List.of(interfaces), 1, null);
   }
 
-  private static void isRefused(String sentence, Executable check) {
+  private static void assertRefused(String sentence, Executable check) {
     String said = assertThrows(IOException.class, check).getMessage();
     assertTrue(said.contains(sentence), said);
   }
 
   @Test
   void saysThatBabeldIsNotInstalled() throws Exception {
-    isRefused("babeld is not installed", () -> host.program("babeld"));
+    assertRefused("babeld is not installed", () -> host.program("babeld"));
 
     write("babeld", "#!/bin/sh\n");
     assertTrue(folder.resolve("babeld").toFile().setExecutable(true));
@@ -73,30 +73,30 @@ class HostCheckTest {
 
   @Test
   void saysWhichInterfacesThereAre() throws Exception {
-    isUser(0, NET_ADMIN, NOTHING);
+    setUser(0, NET_ADMIN, NOTHING);
 
-    isRefused("no network interface wlan9 here", () -> host.check(on("wlan9")));
-    isRefused(loopback, () -> host.check(on(loopback, "wlan9")));
+    assertRefused("no network interface wlan9 here", () -> host.check(on("wlan9")));
+    assertRefused(loopback, () -> host.check(on(loopback, "wlan9")));
   }
 
   @Test
   void needsIpv6OnTheInterface() throws Exception {
-    isUser(0, NET_ADMIN, NOTHING);
+    setUser(0, NET_ADMIN, NOTHING);
     write("sys/net/ipv6/conf/" + loopback + "/disable_ipv6", "1\n");
 
-    isRefused("IPv6 is switched off", () -> host.check(on(loopback)));
+    assertRefused("IPv6 is switched off", () -> host.check(on(loopback)));
   }
 
   @Test
   void childOfAUserMayChangeRoutesOnlyByAnAmbientCapability() throws Exception {
-    isUser(1000, NET_ADMIN, NOTHING);
-    isRefused("AmbientCapabilities=CAP_NET_ADMIN", () -> host.check(on(loopback)));
-    isUser(0, NOTHING, NOTHING);
-    isRefused("AmbientCapabilities=CAP_NET_ADMIN", () -> host.check(on(loopback)));
+    setUser(1000, NET_ADMIN, NOTHING);
+    assertRefused("AmbientCapabilities=CAP_NET_ADMIN", () -> host.check(on(loopback)));
+    setUser(0, NOTHING, NOTHING);
+    assertRefused("AmbientCapabilities=CAP_NET_ADMIN", () -> host.check(on(loopback)));
 
-    isUser(1000, NET_ADMIN, NET_ADMIN);
+    setUser(1000, NET_ADMIN, NET_ADMIN);
     assertDoesNotThrow(() -> host.check(on(loopback)));
-    isUser(0, NET_ADMIN, NOTHING);
+    setUser(0, NET_ADMIN, NOTHING);
     assertDoesNotThrow(() -> host.check(on(loopback)));
   }
 
@@ -111,6 +111,6 @@ class HostCheckTest {
     assertDoesNotThrow(host::checkAlone);
 
     write("self/net/udp6", sockets.replace("14E9", "1A28"));
-    isRefused("Another babeld runs", host::checkAlone);
+    assertRefused("Another babeld runs", host::checkAlone);
   }
 }
