@@ -12,6 +12,7 @@ import org.toqa.app.command.Arguments;
 import org.toqa.app.command.CommandOutput;
 import org.toqa.app.command.RequiredMapOption;
 import org.toqa.app.command.SeedOption;
+import org.toqa.app.server.Logging;
 import org.toqa.grid.FloorMap;
 import org.toqa.traffic.Deadline;
 import org.toqa.traffic.RoadGraph;
@@ -149,6 +150,7 @@ final class FloorBench implements Callable<Integer> {
     arguments.requireBetween("--look-nanos", lookNanos, 0, MAX_LOOK_NANOS);
     arguments.requireBetween("--warm-up", warmUp, 0, MAX_WARM_UP);
     FloorMap floor = arguments.readFloor(map.file());
+    Logging.changeLevel("WARN"); // a line for each robot tells nothing here
     RoadGraph roads = new RoadGraph(floor.grid());
     if (warmUp > 0) {
       try (FloorRun run = new FloorRun(world(floor, roads, arguments))) {

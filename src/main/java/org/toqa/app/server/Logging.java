@@ -10,7 +10,7 @@ import org.slf4j.bridge.SLF4JBridgeHandler;
 import org.toqa.app.config.Configuration.LogFormat;
 
 /** The log: one stream on standard error, for this product and for the embedded server. */
-final class Logging {
+public final class Logging {
   private Logging() {}
 
   static void configure(Level level, LogFormat format) {
@@ -35,7 +35,7 @@ final class Logging {
   /**
    * @param level a level's name
    */
-  static void changeLevel(String level) {
+  public static void changeLevel(String level) {
     root().setLevel(Level.valueOf(level));
   }
 

@@ -5,7 +5,6 @@ import java.time.InstantSource;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.TreeMap;
 import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
 import org.toqa.fleet.Answer;
@@ -25,6 +24,7 @@ import org.toqa.grid.Place;
 import org.toqa.mission.Mission;
 import org.toqa.mission.TaskState;
 import org.toqa.traffic.floor.FloorTraffic;
+import org.toqa.traffic.floor.RobotMap;
 import org.toqa.wording.Phrase;
 import org.toqa.wording.Sentence;
 
@@ -40,7 +40,7 @@ public final class FloorState {
   final FleetRuntime runtime;
   final FloorTraffic traffic;
   final ChargerWatch chargers;
-  final Map<String, FloorRobot> robots = new TreeMap<>();
+  final Map<String, FloorRobot> robots = new RobotMap<>();
   final OpenMissions missions = new OpenMissions();
   final LeftLoads leftLoads;
   final Formations formations;

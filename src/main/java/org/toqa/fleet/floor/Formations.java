@@ -131,9 +131,12 @@ final class Formations {
 
   /** Kilograms that the robot has of the mission's load. */
   double share(Mission mission, String robot) {
+    if (mission.assignedRobots().size() < 2) {
+      return mission.task().load();
+    }
     List<String> team = mission.assignedRobots().stream().map(AssignedRobot::robot).toList();
     int index = team.indexOf(robot);
-    if (index < 0 || team.size() < 2) {
+    if (index < 0) {
       return mission.task().load();
     }
     return TeamSize.shares(mission.task().load(), team.stream().map(this::maxLoad).toList())

@@ -105,6 +105,10 @@ final class LeftLoads {
     boxes = next;
   }
 
+  private boolean isNone() {
+    return loads.isEmpty() && boxes.isEmpty();
+  }
+
   private Stream<Lying> all() {
     return Stream.concat(loads.values().stream(), boxes.values().stream());
   }
@@ -168,6 +172,9 @@ final class LeftLoads {
    * @param fetching for which it fetches a load; null: it fetches none
    */
   void updatePassable(String robot, @Nullable Mission fetching, FloorTraffic traffic) {
+    if (isNone() && passable.isEmpty()) {
+      return;
+    }
     BitSet before = passable.getOrDefault(robot, NO_CELLS);
     BitSet now = new BitSet();
     for (Lying load : all().toList()) {
@@ -214,6 +221,9 @@ final class LeftLoads {
 
   /** Whether one that the robot may not go over is on what it has been told to drive. */
   boolean isAhead(String robot, FloorTraffic traffic) {
+    if (isNone()) {
+      return false;
+    }
     BitSet cells = cells();
     cells.andNot(passable.getOrDefault(robot, NO_CELLS));
     return !cells.isEmpty() && traffic.isAhead(robot, cells);

@@ -34,12 +34,36 @@ final class Claims {
     for (TrafficRobot robot : robots) {
       Entry known = byRobot.get(robot);
       if (known == null || known.changes != robot.changes()) {
-        remove(robot);
         readings++;
-        byRobot.put(robot, new Entry(robot.changes(), new ArrayList<>()));
-        robot.allocated().forEach(area -> add(robot, area));
+        replace(robot, known == null ? List.of() : known.areas);
       }
     }
+  }
+
+  /** Most of what a robot has stays the same while it drives: that is left where it is. */
+  private void replace(TrafficRobot robot, List<SweptArea> former) {
+    List<SweptArea> now = robot.allocated();
+    for (SweptArea area : former) {
+      if (!isAmong(area, now)) {
+        remove(robot, area);
+      }
+    }
+    for (SweptArea area : now) {
+      if (!isAmong(area, former)) {
+        put(robot, area);
+      }
+    }
+    byRobot.put(robot, new Entry(robot.changes(), now));
+  }
+
+  @SuppressWarnings("ReferenceEquality") // sections keep their areas, and these are compared often
+  private static boolean isAmong(SweptArea area, List<SweptArea> areas) {
+    for (SweptArea other : areas) {
+      if (other == area) {
+        return true;
+      }
+    }
+    return false;
   }
 
   /** The robot has that too, until it is read again. */
@@ -49,26 +73,36 @@ final class Claims {
       throw new IllegalArgumentException(robot.name + " is not known.");
     }
     entry.areas.add(area);
-    Claim claim = new Claim(robot, area);
-    Square.forEach(
-        area, 0, square -> bySquare.computeIfAbsent(square, s -> new ArrayList<>()).add(claim));
+    put(robot, area);
   }
 
   /** The robot has nothing any more. */
   void remove(TrafficRobot robot) {
     Entry entry = byRobot.remove(robot);
     if (entry != null) {
-      entry.areas.forEach(area -> Square.forEach(area, 0, square -> removeFrom(square, robot)));
+      entry.areas.forEach(area -> remove(robot, area));
     }
   }
 
-  private void removeFrom(Square square, TrafficRobot robot) {
-    bySquare.computeIfPresent(
-        square,
-        (s, there) -> {
-          there.removeIf(claim -> claim.robot == robot);
-          return there.isEmpty() ? null : there;
-        });
+  private void put(TrafficRobot robot, SweptArea area) {
+    Claim claim = new Claim(robot, area);
+    Square.forEach(
+        area, 0, square -> bySquare.computeIfAbsent(square, s -> new ArrayList<>()).add(claim));
+  }
+
+  private void remove(TrafficRobot robot, SweptArea area) {
+    Square.forEach(area, 0, square -> removeFrom(square, robot, area));
+  }
+
+  @SuppressWarnings("ReferenceEquality") // it is the one that was put there
+  private void removeFrom(Square square, TrafficRobot robot, SweptArea area) {
+    List<Claim> there = bySquare.get(square);
+    if (there != null) {
+      there.removeIf(claim -> claim.robot == robot && claim.area == area);
+      if (there.isEmpty()) {
+        bySquare.remove(square);
+      }
+    }
   }
 
   /**

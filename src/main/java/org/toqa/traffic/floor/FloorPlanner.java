@@ -11,7 +11,6 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
-import java.util.TreeMap;
 import java.util.function.DoubleFunction;
 import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
@@ -78,7 +77,7 @@ final class FloorPlanner {
   }
 
   FloorPlan plan(PlanningRequest request) {
-    Map<String, TrafficRobot> robots = new TreeMap<>();
+    Map<String, TrafficRobot> robots = new RobotMap<>();
     request.robots().forEach(pictured -> robots.put(pictured.name, pictured.copy()));
     freeSpace.setObstacles(request.obstacles());
     singleRobotPlanner.begin();

@@ -7,7 +7,6 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
-import java.util.TreeMap;
 import java.util.concurrent.Executor;
 import java.util.function.DoubleFunction;
 import java.util.function.Supplier;
@@ -72,7 +71,7 @@ public final class FloorTraffic {
   private final StandstillDetector standstillDetector = new StandstillDetector();
   private final WaitChains waitChains = new WaitChains();
   private final ReplanTrigger trigger = new ReplanTrigger();
-  private final Map<String, TrafficRobot> robots = new TreeMap<>();
+  private final Map<String, TrafficRobot> robots = new RobotMap<>();
   private Obstacles obstacles = Obstacles.NONE;
   private int robotCount;
 
