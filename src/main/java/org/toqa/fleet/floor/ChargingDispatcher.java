@@ -389,7 +389,8 @@ final class ChargingDispatcher {
       setStatus(robot, Phrase.DRIVES_TO_CHARGER.with(point.name()));
     } else if (!robot.charging.isCharging()) {
       setStatus(robot, Phrase.CHARGES_AT.with(point.name()));
-      if (robot.drive.goal() != null) { // else it was there when the server started
+      // else it was there when the server started, or has made room for another
+      if (robot.drive.goal() != null && !robot.charging.hasBegun()) {
         addToHistory(
             robot, EventKind.ROBOT_CHARGING, Phrase.ROBOT_CHARGES.with(robot.name(), point.name()));
       }

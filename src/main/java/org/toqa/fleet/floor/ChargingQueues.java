@@ -77,12 +77,16 @@ final class ChargingQueues {
     return queue(point).anyMatch(other -> other != robot && !isAt(other, point));
   }
 
-  /** Who is there stays; then who is nearest to empty, and of those alike who came first. */
+  /**
+   * Who has begun stays, also while it makes room for another; then who is there, who is nearest to
+   * empty, and of those alike who came first.
+   */
   private Stream<FloorRobot> queue(Place point) {
     return state.robots.values().stream()
         .filter(other -> hasTurnAt(other, point) && (other.isFit() || isAt(other, point)))
         .sorted(
-            Comparator.comparing((FloorRobot r) -> !isAt(r, point))
+            Comparator.comparing((FloorRobot r) -> !r.charging.hasBegun())
+                .thenComparing(r -> !isAt(r, point))
                 .thenComparing(ChargingQueues::batteryStep)
                 .thenComparing(r -> r.charging.turn().map(Turn::since).orElseThrow())
                 .thenComparing(FloorRobot::name));

@@ -15,6 +15,7 @@ final class ChargingState {
   private @Nullable Turn turn;
   private boolean turnStored;
   private boolean charging;
+  private boolean begun;
   private boolean awaitingTurn;
   private boolean helpNeeded;
   private @Nullable Sentence status;
@@ -38,6 +39,11 @@ final class ChargingState {
   /** Whether it is at its charging point and is the first one there. */
   boolean isCharging() {
     return charging;
+  }
+
+  /** Whether it has charged in this turn, though it may have made room for another since. */
+  boolean hasBegun() {
+    return begun;
   }
 
   /** Whether others come before it at its charging point. */
@@ -104,6 +110,7 @@ final class ChargingState {
   void takeTurn(Turn next) {
     turn = next;
     turnStored = false;
+    begun = false;
     taskBeyondBattery = null;
   }
 
@@ -120,6 +127,7 @@ final class ChargingState {
 
   void setCharging(boolean charges) {
     charging = charges;
+    begun |= charges;
   }
 
   void setAwaitingTurn(boolean waits) {
@@ -136,6 +144,7 @@ final class ChargingState {
     turn = null;
     turnStored = false;
     charging = false;
+    begun = false;
     awaitingTurn = false;
     helpNeeded = false;
     status = null;
