@@ -3,6 +3,7 @@ package org.toqa.web.input;
 import java.time.Instant;
 import java.time.ZoneId;
 import java.util.ArrayList;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
@@ -51,6 +52,9 @@ final class TaskOrderTable {
   private final TemplateFiller templates;
   private final LineFaults faults = new LineFaults();
   private final List<Row> rows = new ArrayList<>();
+
+  /** Columns of which the first line says nothing good; that is told once, and not line by line. */
+  private final Set<String> faultyColumns = new HashSet<>();
 
   /**
    * An order and its line; one of a single piece is an ordinary task.
@@ -108,9 +112,14 @@ final class TaskOrderTable {
     }
     CsvTable.Line first = table.lines().getFirst();
     List<String> header = first.cells().stream().map(this::column).toList();
-    if (checkHeader(first.number(), header)) {
+    checkHeader(first.number(), header);
+    if (header.stream().anyMatch(this::isKnown)) { // else that line is none of columns
       read(header, table.lines().subList(1, table.lines().size()));
     }
+  }
+
+  private boolean isKnown(String column) {
+    return COLUMNS.contains(column) && !faultyColumns.contains(column);
   }
 
   private void read(List<String> header, List<CsvTable.Line> lines) {
@@ -143,7 +152,9 @@ final class TaskOrderTable {
     }
     Map<String, String> cells = new TreeMap<>(String.CASE_INSENSITIVE_ORDER);
     for (int i = 0; i < line.cells().size(); i++) {
-      cells.put(header.get(i), line.cells().get(i));
+      if (!faultyColumns.contains(header.get(i))) {
+        cells.put(header.get(i), line.cells().get(i));
+      }
     }
     FieldErrors errors = new FieldErrors();
     CsvFields fields = new CsvFields(cells, table.separator() == ';', zone, texts, errors);
@@ -151,8 +162,13 @@ final class TaskOrderTable {
         fields.has(TemplateFiller.TEMPLATE) ? templates.readEntered(fields, now) : null;
     PartsOrder order =
         ofTemplate == null ? readWithoutTemplate(fields) : PartsOrder.of(ofTemplate.order());
-    rows.add(new Row(line.number(), order, ofTemplate, Set.copyOf(errors.sentences().keySet())));
-    faults.addAll(line.number(), errors);
+    Set<String> unreadable = new HashSet<>(errors.sentences().keySet());
+    unreadable.addAll(faultyColumns);
+    rows.add(new Row(line.number(), order, ofTemplate, unreadable));
+    errors.sentences().entrySet().stream()
+        .filter(error -> !faultyColumns.contains(error.getKey()))
+        .map(error -> new LineFault(line.number(), error.getKey(), error.getValue()))
+        .forEach(faults::add);
   }
 
   /** Columns of parameters are for lines with a template. */
@@ -174,7 +190,7 @@ final class TaskOrderTable {
         .orElse(name);
   }
 
-  private boolean checkHeader(long line, List<String> header) {
+  private void checkHeader(long line, List<String> header) {
     FieldErrors errors = new FieldErrors();
     boolean hasTemplates = header.contains(TemplateFiller.TEMPLATE);
     for (String column : header) {
@@ -185,10 +201,14 @@ final class TaskOrderTable {
         errors.add(column, texts.get("error.import.column.twice", column));
       }
     }
-    if (hasTemplates) { // what else must be there is told line by line
-      faults.addAll(line, errors);
-      return errors.isEmpty();
+    if (!hasTemplates) { // else what must be there is told line by line
+      checkRequired(header, errors);
     }
+    faultyColumns.addAll(errors.sentences().keySet());
+    faults.addAll(line, errors);
+  }
+
+  private void checkRequired(List<String> header, FieldErrors errors) {
     boolean hasDrives = header.contains("kind");
     (hasDrives ? Stream.of("name") : Stream.of("name", "load"))
         .filter(column -> !header.contains(column))
@@ -197,8 +217,6 @@ final class TaskOrderTable {
         .filter(end -> !header.contains(end))
         .filter(end -> !(header.contains(end + "X") && header.contains(end + "Y")))
         .forEach(end -> errors.add(end, texts.get("error.import.column.place", end)));
-    faults.addAll(line, errors);
-    return errors.isEmpty();
   }
 
   private void addFault(long line, String key, Object... values) {

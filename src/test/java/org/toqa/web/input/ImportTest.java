@@ -314,6 +314,40 @@ class ImportTest {
     assertTrue(answer.body().contains(sentence), answer.body());
   }
 
+  @Test
+  void aWrongFirstLineHidesNothingOfTheOthers() {
+    assertEquals(
+        List.of("1 colour", "2 load", "3 goal", "4 load"),
+        faults(
+            """
+            name,load,start,goal,colour
+            a,x,Dock A,Shelf 3,red
+            b,1,Dock A,Nowhere,
+            c,60,Dock A,Shelf 3,
+            d,1,Dock A,Shelf 3,red
+            """));
+    assertEquals(
+        List.of("1 load", "1 weight", "2 goal"),
+        faults("name,weight,start,goal\na,1,Dock A,Nowhere\nb,1,Dock A,Shelf 3\n"));
+    assertEquals(
+        List.of("1 name", "2 goal"),
+        faults("name,load,start,goal,name\na,1,Dock A,Nowhere,\nb,1,Dock A,Shelf 3,\n"));
+    assertEquals( // no line of columns at all
+        List.of("1 2.5", "1 Dock A", "1 Shelf 3", "1 bolts", "1 goal", "1 load", "1 name", "1 start"),
+        faults("bolts,2.5,Dock A,Shelf 3\n,x,Dock A,Shelf 3\n"));
+    assertEquals(0, added());
+  }
+
+  /** Line and column of each fault, in order. */
+  private List<String> faults(String table) {
+    HttpResponse<String> answer = post("api/v1/tasks/import", table);
+    assertEquals(422, answer.statusCode(), answer.body());
+    return JSON.readTree(answer.body()).get("errors").values().stream()
+        .map(e -> e.get("line") + " " + e.get("field").stringValue())
+        .sorted()
+        .toList();
+  }
+
   @ParameterizedTest
   @CsvSource(
       delimiter = '|',
