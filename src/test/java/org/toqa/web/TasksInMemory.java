@@ -49,6 +49,7 @@ public abstract class TasksInMemory extends ArchiveInMemory implements Fleet {
   final FloorMap floor = Hall.floor();
   private final Function<String, @Nullable Long> accountId;
   private boolean silent;
+  private boolean closed;
   private CheckRefusedException.@Nullable Reason refused;
 
   TasksInMemory(Function<String, @Nullable Long> accountId) {
@@ -58,6 +59,11 @@ public abstract class TasksInMemory extends ArchiveInMemory implements Fleet {
   /** From now on the store does not answer. */
   public void stopAnswering() {
     silent = true;
+  }
+
+  /** From now on who orders may not log in any more, as while he is deleted. */
+  public void refuseOrderers() {
+    closed = true;
   }
 
   /** From now on no order and no preview is checked to its end. */
@@ -71,6 +77,7 @@ public abstract class TasksInMemory extends ArchiveInMemory implements Fleet {
     try {
       forgetTasks();
       silent = false;
+      closed = false;
       refused = null;
       forgetSnapshot();
     } finally {
@@ -132,6 +139,10 @@ public abstract class TasksInMemory extends ArchiveInMemory implements Fleet {
     if (silent) {
       return CompletableFuture.failedFuture(new StoreException("no store", null));
     }
+    if (closed) {
+      return CompletableFuture.failedFuture(
+          new StoreException(StoreException.Kind.UNKNOWN_USER, user, null));
+    }
     lock.lock();
     try {
       Answer<TransportTask> checked = checked(order, user);
@@ -172,6 +183,10 @@ public abstract class TasksInMemory extends ArchiveInMemory implements Fleet {
     }
     if (silent) {
       return CompletableFuture.failedFuture(new StoreException("no store", null));
+    }
+    if (closed) {
+      return CompletableFuture.failedFuture(
+          new StoreException(StoreException.Kind.UNKNOWN_USER, user, null));
     }
     lock.lock();
     try {

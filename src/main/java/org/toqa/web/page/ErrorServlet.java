@@ -25,6 +25,10 @@ public final class ErrorServlet extends HttpServlet {
       return;
     }
     int status = status(request);
+    if (status == HttpServletResponse.SC_UNAUTHORIZED && !isForApi(request)) {
+      PageHandler.redirect(request, response, "/"); // as of everybody who is not logged in
+      return;
+    }
     String sentence = sentence(request, status);
     response.setStatus(status);
     ErrorResponse.sayWhenToRetry(response, status);

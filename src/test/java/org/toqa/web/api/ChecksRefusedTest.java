@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.net.http.HttpRequest.BodyPublishers;
 import java.net.http.HttpResponse;
 import java.nio.charset.StandardCharsets;
+import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import org.junit.jupiter.api.AfterEach;
@@ -15,7 +16,7 @@ import org.toqa.fleet.CheckRefusedException.Reason;
 import org.toqa.web.TestClient;
 import org.toqa.web.WebTestServer;
 
-/** What people are told of orders that the fleet does not check: in the API and on the pages. */
+/** What people are told of orders that the fleet does not check or store: in the API and on the pages. */
 class ChecksRefusedTest {
   private static final String TASK =
       """
@@ -88,6 +89,36 @@ class ChecksRefusedTest {
     assertEquals(429, refused.statusCode());
     assertTrue(refused.body().contains("Nothing was accepted: send this one again"), refused::body);
     assertTrue(refused.body().contains("My box"), refused::body);
+  }
+
+  @Test
+  void whoIsDeletedMeanwhileIsLedToTheLogin() throws Exception {
+    server.fleet().refuseOrderers();
+    Map<String, String> form =
+        Map.of("name", "box", "load", "1", "startStation", "Dock A", "goalStation", "Shelf 3");
+
+    for (Map<String, String> fields : List.of(form, with(form, "pieces", "2"))) {
+      HttpResponse<String> refused = clerk.post("tasks/new", fields);
+
+      assertEquals(303, refused.statusCode(), refused::body);
+      assertEquals("/", refused.headers().firstValue("Location").orElse(""));
+    }
+    HttpResponse<String> ofTable =
+        clerk.postFile(
+            "tasks/import",
+            Map.of("zone", "UTC"),
+            "tasks.csv",
+            TABLE.getBytes(StandardCharsets.UTF_8));
+    assertEquals(303, ofTable.statusCode(), ofTable::body);
+    HttpResponse<String> byApi = clerk.postJson("api/v1/tasks", TASK);
+    assertEquals(401, byApi.statusCode());
+    assertTrue(byApi.body().contains("Log in first"), byApi::body);
+  }
+
+  private static Map<String, String> with(Map<String, String> fields, String field, String value) {
+    Map<String, String> all = new HashMap<>(fields);
+    all.put(field, value);
+    return all;
   }
 
   @Test
