@@ -15,6 +15,7 @@ import org.apache.hc.core5.http.ClassicHttpResponse;
 import org.apache.hc.core5.http.ContentType;
 import org.apache.hc.core5.http.io.entity.StringEntity;
 import org.toqa.outbound.OutboundHttp;
+import org.toqa.wording.Phrase;
 
 /**
  * Posts to webhooks. The address that a name has is checked and then really connected to, each
@@ -48,8 +49,7 @@ final class WebhookClient implements AutoCloseable {
               .filter(addresses::allows)
               .toList();
       if (allowed.isEmpty()) {
-        throw new UnknownHostException(
-            host + " leads to a private network, which webhooks.networks does not allow");
+        throw new PrivateHostException(host);
       }
       return allowed.toArray(InetAddress[]::new);
     }
@@ -60,6 +60,15 @@ final class WebhookClient implements AutoCloseable {
     }
   }
 
+  /** A resolver may say no in no other way. */
+  private static final class PrivateHostException extends UnknownHostException {
+    private static final long serialVersionUID = 1;
+
+    PrivateHostException(String host) {
+      super(host);
+    }
+  }
+
   private static String unbracketed(String host) {
     return host.startsWith("[") ? host.substring(1, host.length() - 1) : host;
   }
@@ -67,9 +76,19 @@ final class WebhookClient implements AutoCloseable {
   /**
    * Returns when the receiver has taken it.
    *
-   * @throws IOException it did not; the message says why, for people
+   * @throws WebhookException it did not
    */
-  void post(URI url, String body, Map<String, String> headers) throws IOException {
+  void post(URI url, String body, Map<String, String> headers) throws WebhookException {
+    try {
+      send(url, body, headers);
+    } catch (PrivateHostException _) {
+      throw new WebhookException(Phrase.WEBHOOK_PRIVATE.with(url.getHost()));
+    } catch (IOException e) {
+      throw WebhookException.of(url, e, LIMIT);
+    }
+  }
+
+  private void send(URI url, String body, Map<String, String> headers) throws IOException {
     if (!url.getScheme().toLowerCase(Locale.ROOT).equals("https")) {
       requireNamed(url);
     }
@@ -78,7 +97,7 @@ final class WebhookClient implements AutoCloseable {
     request.setEntity(new StringEntity(body, ContentType.APPLICATION_JSON));
     int status = http.send(request, ClassicHttpResponse::getCode);
     if (status < SUCCESS || status >= REDIRECT) {
-      throw new IOException("It answered with the status " + status + ".");
+      throw new WebhookException(Phrase.WEBHOOK_STATUS.with(url.getHost(), status));
     }
   }
 
@@ -86,7 +105,7 @@ final class WebhookClient implements AutoCloseable {
   private void requireNamed(URI url) throws IOException {
     for (InetAddress address : InetAddress.getAllByName(unbracketed(url.getHost()))) {
       if (!addresses.isNamed(address)) {
-        throw new IOException("Only HTTPS leads beyond the networks of webhooks.networks.");
+        throw new WebhookException(Phrase.WEBHOOK_UNENCRYPTED.with());
       }
     }
   }

@@ -25,23 +25,23 @@ public final class WebhookPoster implements AutoCloseable {
   /**
    * Returns when the receiver has taken it.
    *
-   * @throws IOException it did not; the message says why
+   * @throws WebhookException it did not
    */
-  void post(Webhook webhook, Delivery delivery, Notice notice) throws IOException {
+  void post(Webhook webhook, Delivery delivery, Notice notice) throws WebhookException {
     post(webhook, delivery.uid(), NoticeMessage.json(site, notice, delivery.ending()));
   }
 
   /**
    * Tells that nothing has happened, so that a person sees whether it arrives.
    *
-   * @throws IOException it does not; the message says why
+   * @throws WebhookException it does not
    */
-  public void postTest(Webhook webhook) throws IOException {
+  public void postTest(Webhook webhook) throws WebhookException {
     Instant now = clock.instant();
     post(webhook, UUID.randomUUID(), NoticeMessage.test(site, now));
   }
 
-  private void post(Webhook webhook, UUID uid, String body) throws IOException {
+  private void post(Webhook webhook, UUID uid, String body) throws WebhookException {
     String id = uid.toString();
     long stamp = clock.instant().getEpochSecond();
     client.post(

@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.net.InetAddress;
+import java.net.SocketTimeoutException;
 import java.net.URI;
 import java.time.Duration;
 import java.time.Instant;
@@ -13,6 +14,7 @@ import java.time.ZoneId;
 import java.util.ArrayList;
 import java.util.EnumSet;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
@@ -248,5 +250,20 @@ class RulesTest {
     for (String wrong : List.of("10.2.0.0/33", "10.2.0.0/", "host", "", "10.2.0.0/-1")) {
       assertTrue(WebhookAddresses.Network.parse(wrong).isEmpty(), wrong);
     }
+  }
+
+  @Test
+  void aSilentReceiverIsToldToPeopleInTheirLanguage() {
+    WebhookException failure =
+        WebhookException.of(
+            URI.create("https://example.org:8443/hook"),
+            new SocketTimeoutException("Read timed out"),
+            Duration.ofSeconds(10));
+
+    assertEquals(
+        "example.org does not answer within 10 s. Check that the receiver runs and answers at once.",
+        failure.getMessage());
+    String arabic = failure.sentence().text(Locale.forLanguageTag("ar"));
+    assertTrue(arabic.contains("10") && !arabic.contains("timed out"), arabic);
   }
 }

@@ -12,6 +12,7 @@ import org.toqa.notices.NoticeKind;
 import org.toqa.notices.NoticeStore;
 import org.toqa.notices.Notices;
 import org.toqa.notices.Webhook;
+import org.toqa.notices.WebhookException;
 import org.toqa.notices.WebhookSecret;
 import org.toqa.web.RequestPath;
 import org.toqa.web.Texts;
@@ -136,9 +137,9 @@ public final class WebhooksResource extends ApiHandler {
   public static void test(HttpServletRequest request, HttpServletResponse response) {
     try {
       services(request).notices().webhooks().postTest(webhook(request));
-    } catch (IOException e) {
-      throw Problem.of(
-              502, Texts.of(request).get("error.webhooks.test", String.valueOf(e.getMessage())))
+    } catch (WebhookException e) {
+      Texts texts = Texts.of(request);
+      throw Problem.of(502, texts.get("error.webhooks.test", texts.text(e.sentence())))
           .exception();
     }
     response.setStatus(HttpServletResponse.SC_NO_CONTENT);

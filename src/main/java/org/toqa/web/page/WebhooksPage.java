@@ -13,6 +13,7 @@ import org.toqa.notices.NoticeKind;
 import org.toqa.notices.NoticeStore;
 import org.toqa.notices.Notices;
 import org.toqa.notices.Webhook;
+import org.toqa.notices.WebhookException;
 import org.toqa.notices.WebhookSecret;
 import org.toqa.web.RequestPath;
 import org.toqa.web.Texts;
@@ -152,10 +153,10 @@ public final class WebhooksPage extends PageHandler {
     try {
       services(request).notices().webhooks().postTest(webhook.get());
       redirect(request, response, PATH + "?done=tested");
-    } catch (IOException e) {
+    } catch (WebhookException e) {
       FieldErrors errors = new FieldErrors();
-      errors.add(
-          FORM, Texts.of(request).get("error.webhooks.test", String.valueOf(e.getMessage())));
+      Texts texts = Texts.of(request);
+      errors.add(FORM, texts.get("error.webhooks.test", texts.text(e.sentence())));
       showAgainWith(request, response, errors, webhook.get());
     }
   }

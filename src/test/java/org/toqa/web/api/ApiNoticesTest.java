@@ -227,6 +227,9 @@ class ApiNoticesTest extends ApiTestServer {
       assertTrue(failed.body().contains("404"), failed::body);
       assertFalse(json("api/v1/webhooks").get(0).get("enabled").booleanValue());
 
+      change(path, "http://127.0.0.1:1/");
+      assertFailedTest(path, "Nothing answers at 127.0.0.1:1.");
+
       JsonNode renewed = JSON.readTree(post(token, path + "/secret", "").body());
       assertFalse(renewed.get("secret").stringValue().equals(secret.text()));
       assertEquals(204, send("DELETE", path, "").statusCode());
@@ -235,6 +238,17 @@ class ApiNoticesTest extends ApiTestServer {
     } finally {
       receiver.stop(0);
     }
+  }
+
+  private void change(String path, String url) {
+    String change = "{\"url\":\"%s\",\"kinds\":[\"server\"]}".formatted(url);
+    assertEquals(200, send("PUT", path, change).statusCode());
+  }
+
+  private void assertFailedTest(String path, String sentence) {
+    HttpResponse<String> failed = post(token, path + "/test", "");
+    assertEquals(502, failed.statusCode(), failed::body);
+    assertTrue(failed.body().contains(sentence), failed::body);
   }
 
   @Test
