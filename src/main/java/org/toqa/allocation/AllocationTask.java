@@ -18,7 +18,7 @@ import org.toqa.geometry.Vec2;
  * @param isForOmnidirectional whether a group with robots that cannot go sideways has no room
  * @param onlyRobots names of those that may carry it; empty: whichever there are
  * @param via where it goes between start and goal, in order, metres, map frame
- * @param isForOne whether only one robot may carry it, since it stops on its way
+ * @param isForOne whether only one robot may carry it, since it charges on its way
  */
 public record AllocationTask(
     long id,

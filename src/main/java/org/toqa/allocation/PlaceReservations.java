@@ -12,8 +12,8 @@ import org.toqa.wording.Sentence;
 /**
  * Who may fetch and set down where. Robots that are round a load have no room for others among
  * them, and cannot step aside: a task for several robots is given out only while nobody else uses
- * its start or its goal, and then nobody else is sent there. It takes both places at once or none,
- * so no two tasks can wait for each other.
+ * any of its places, and then nobody else is sent there. It takes all of them at once or none, so
+ * no two tasks can wait for each other.
  *
  * <p>A task that waits for a place goes before later ones there. Confined to one round.
  */
@@ -52,6 +52,12 @@ final class PlaceReservations {
   private Optional<Sentence> conflict(
       AllocationTask task, boolean together, List<PlaceUse> others) {
     return conflict(task, task.start(), Phrase.START, together, others)
+        .or(
+            () ->
+                task.via().stream()
+                    .flatMap(
+                        stop -> conflict(task, stop, Phrase.STOP, together, others).stream())
+                    .findFirst())
         .or(() -> conflict(task, task.goal(), Phrase.GOAL, together, others));
   }
 

@@ -1,6 +1,7 @@
 package org.toqa.allocation;
 
 import java.util.List;
+import java.util.stream.Stream;
 import org.toqa.geometry.Vec2;
 
 /**
@@ -15,8 +16,9 @@ public record PlaceUse(long task, Vec2 place, boolean together) {
 
   /** The places of a task that has robots. */
   static List<PlaceUse> of(AllocationTask task, boolean together) {
-    return List.of(
-        new PlaceUse(task.id(), task.start(), together),
-        new PlaceUse(task.id(), task.goal(), together));
+    return Stream.of(Stream.of(task.start()), task.via().stream(), Stream.of(task.goal()))
+        .flatMap(places -> places)
+        .map(place -> new PlaceUse(task.id(), place, together))
+        .toList();
   }
 }

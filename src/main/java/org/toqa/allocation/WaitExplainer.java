@@ -103,7 +103,7 @@ public final class WaitExplainer {
   /** Says the true number of robots that the load needs, and how many are there. */
   private static Sentence tooHeavyForOne(AllocationTask task, List<Candidate> robots) {
     if (task.isForOne()) {
-      return Phrase.TOO_HEAVY_FOR_STOPS.with(task.load());
+      return Phrase.TOO_HEAVY_TO_CHARGE.with(task.load());
     }
     Optional<Integer> needed = TeamSize.smallest(task.load(), robots);
     double together = robots.stream().mapToDouble(Candidate::maxLoad).sum();

@@ -176,7 +176,10 @@ final class PhaseRules {
                   TaskState.CANCELLED, Phrase.BROUGHT_BACK.with(where), Phrase.CANCELLED.with())
           : mission.step(List.of(), Phrase.IS_BACK_AT_START.with(robot));
     }
-    Sentence one = Phrase.IS_AT_GOAL.with(robot);
+    Sentence one =
+        mission.isAtLastStop()
+            ? Phrase.IS_AT_GOAL.with(robot)
+            : Phrase.IS_AT_STOP.with(robot, where);
     if (!isComplete(mission)) {
       return mission.step(List.of(), one);
     }

@@ -48,6 +48,21 @@ class PlaceReservationsTest {
 
   @ParameterizedTest
   @EnumSource
+  void severalRobotsNeedTheirStopsForThemselves(Policy policy) {
+    List<PlaceUse> inUse = List.of(new PlaceUse(7, PLACE, false));
+    AllocationTask tour =
+        new AllocationTask(1, 8, new Vec2(40, 5), new Vec2(50, 5), NOON)
+            .withStops(List.of(PLACE), false);
+    assertEquals(
+        Map.of(
+            1L,
+            "It needs several robots, which need the stop on the way for themselves;"
+                + " task 7 is using it."),
+        waiting(policy, List.of(tour), inUse));
+  }
+
+  @ParameterizedTest
+  @EnumSource
   void oneRobotEachMayShareAPlace(Policy policy) {
     List<PlaceUse> inUse = List.of(new PlaceUse(7, PLACE, false));
     assertEquals(Map.of(), waiting(policy, List.of(job(1, 2, 10), job(2, 2, 10)), inUse));

@@ -17,12 +17,15 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.toqa.fleet.FloorView.HoldPoint;
+import org.toqa.fleet.TaskOrder.StopOrder;
+import org.toqa.fleet.TaskOrder.Where;
 import org.toqa.geometry.Pose;
 import org.toqa.geometry.Vec2;
 import org.toqa.grid.FloorMap;
 import org.toqa.grid.OccupancyGrid;
 import org.toqa.grid.Place;
 import org.toqa.link.message.AgentMessage.Fault;
+import org.toqa.mission.MissionEvent;
 import org.toqa.mission.TaskState;
 import org.toqa.motion.DriveKind;
 import org.toqa.sim.SimulatedFloor;
@@ -70,6 +73,40 @@ class CarryTogetherTest {
       assertEquals(point.share(), requireNonNull(point.measured()), 0.4, point::toString);
     }
     untilDone(task);
+  }
+
+  @Test
+  @Timeout(300)
+  void threeRobotsCarryALoadFromStopToStopAndBack() throws Exception {
+    open(3);
+    long task =
+        live()
+            .submit(
+                new TaskOrder("gearbox", 12, station("A"), station("A"), null, 0, null, null)
+                    .along(
+                        List.of(
+                            new StopOrder(station("A"), false, Duration.ofSeconds(5)),
+                            new StopOrder(station("B"), true, null),
+                            new StopOrder(station("C"), false, null),
+                            new StopOrder(station("A"), false, null))));
+    FleetSnapshot waiting =
+        live()
+            .await(
+                view ->
+                    LiveFloor.isInState(view, task, TaskState.CARRYING)
+                        && LiveFloor.task(view, task).isWaitingAtStop());
+    live().pass(Duration.ofMinutes(2));
+    for (RobotView before : waiting.robots()) {
+      Pose stood = requireNonNull(before.telemetry().pose());
+      Pose stands = requireNonNull(robot(before.name()).telemetry().pose());
+      assertTrue(stands.distanceTo(stood) < 0.01, before.name() + ": " + stands);
+    }
+    live().fleet.commandTask(task, new MissionEvent.GoOn("Clara", 1));
+    untilDone(task);
+  }
+
+  private static Where station(String name) {
+    return new Where.Station(name);
   }
 
   /** It takes itself to be 0.07 m from where it is, and so stands that much beside its place. */

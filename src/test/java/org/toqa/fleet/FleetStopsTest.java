@@ -10,6 +10,7 @@ import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.toqa.fleet.TaskOrder.StopOrder;
 import org.toqa.fleet.TaskOrder.Where;
+import org.toqa.geometry.Vec2;
 import org.toqa.mission.LoadChoice;
 import org.toqa.mission.MissionEvent;
 import org.toqa.mission.StopState;
@@ -19,6 +20,7 @@ import org.toqa.mission.TaskState;
 class FleetStopsTest extends HallFleetTest {
   private static final Where WEST_STATION = new Where.Station("West");
   private static final Where EAST_STATION = new Where.Station("East");
+  private static final Where BEYOND = new Where.Point(new Vec2(8.5, 2.5));
 
   @Test
   void aTourGoesOnFromEveryStopAlsoAfterRestarts() throws Exception {
@@ -91,14 +93,98 @@ class FleetStopsTest extends HallFleetTest {
         refusal(tour(stop(WEST_STATION), stop(new Where.Station("Moon")), stop(EAST_STATION))));
     assertEquals(
         "stops.2", refusal(tour(stop(WEST_STATION), stop(EAST_STATION), stop(EAST_STATION))));
+  }
+
+  @Test
+  void severalRobotsCarryALoadAlongItsStopsAlsoAfterRestarts() throws Exception {
+    TaskOrder heavy = orderForTwo();
+    long task =
+        submit(
+            heavy.along(
+                List.of(
+                    stop(heavy.start()),
+                    new StopOrder(BEYOND, true, null),
+                    new StopOrder(heavy.goal(), false, Duration.ofSeconds(1)),
+                    stop(heavy.start()))));
+    until(view -> task(view, task).isWaitingAtStop());
+    assertEquals(2, task(stage.fleet.snapshots().latest(), task).robots().size());
+    stage.restart();
+    until(view -> view.robots().stream().allMatch(r -> r.state() == RobotState.IDLE));
+    TaskView waiting = task(stage.fleet.snapshots().latest(), task);
+    assertEquals(
+        List.of(StopState.PASSED, StopState.HERE, StopState.AHEAD, StopState.AHEAD),
+        waiting.stops().stream().map(TaskView.StopView::state).toList());
+
+    accepted(stage.fleet.commandTask(task, new MissionEvent.GoOn("Clara", 1)));
+    stage.restart();
+    until(view -> task(view, task).progress().stop() == 2);
+    accepted(stage.fleet.commandTask(task, new MissionEvent.Hold("Clara")));
+    accepted(stage.fleet.commandTask(task, new MissionEvent.Resume("Clara")));
+    until(view -> task(view, task).progress().stop() == 3);
+    stage.restart();
+    until(view -> task(view, task).state() == TaskState.DONE);
+
+    assertEquals(
+        List.of(
+            "Waits at (8.50, 2.50)",
+            "Clara let the robot go on from (8.50, 2.50)",
+            "Leaves (8.50, 2.50), stop 2 of 4",
+            "Waits at (11.50, 1.50)",
+            "The time to wait at (11.50, 1.50) is over",
+            "Leaves (11.50, 1.50), stop 3 of 4",
+            "Delivered at (6.50, 1.50)"),
+        stage.store.history(task).stream()
+            .filter(
+                event ->
+                    List.of("task.at-stop", "task.went-on", "task.delivered")
+                        .contains(event.kind()))
+            .map(EventRecord::text)
+            .filter(text -> !text.matches("r[12] arrived at .*"))
+            .toList());
+    assertEquals(
+        List.of("r1 arrived at (8.50, 2.50)", "r1 arrived at (11.50, 1.50)", "r1 arrived at the goal"),
+        stage.store.history(task).stream()
+            .map(EventRecord::text)
+            .filter(text -> text.startsWith("r1 arrived at"))
+            .filter(text -> !text.endsWith("load"))
+            .toList());
+  }
+
+  @Test
+  void severalRobotsAtAStopSetTheLoadDownThere() throws Exception {
+    TaskOrder heavy = orderForTwo();
+    long task =
+        submit(
+            heavy.along(
+                List.of(
+                    stop(heavy.start()), new StopOrder(BEYOND, true, null), stop(heavy.goal()))));
+    until(view -> task(view, task).isWaitingAtStop());
+
+    accepted(stage.fleet.commandTask(task, new MissionEvent.Cancel("Clara", LoadChoice.HERE)));
+    until(view -> task(view, task).state() == TaskState.CANCELLED);
+
+    assertEquals(
+        1, stage.fleet.snapshots().latest().floors().getFirst().leftLoads().size());
+  }
+
+  @Test
+  void severalRobotsDoNotChargeOnTheWay() throws Exception {
+    TaskOrder heavy = orderForTwo();
+    assertEquals(
+        "stops.1",
+        refusal(
+            heavy.along(
+                List.of(
+                    stop(heavy.start()),
+                    new StopOrder(new Where.Charger(null), true, null),
+                    stop(heavy.goal())))));
+  }
+
+  /** A load for r1 and r2 together. */
+  private TaskOrder orderForTwo() throws Exception {
     reopenWith("r2", EAST, "P2");
     until(view -> view.robots().stream().allMatch(r -> r.state() == RobotState.IDLE));
-    double most = robot(stage.fleet.snapshots().latest(), "r1").maxLoad();
-    TaskOrder heavy = orderForSeveral(1.5 * most);
-    assertEquals(
-        "load",
-        refusal(
-            heavy.along(List.of(stop(heavy.start()), stop(IN_THE_MIDDLE), stop(heavy.goal())))));
+    return orderForSeveral(1.5 * robot(stage.fleet.snapshots().latest(), "r1").maxLoad());
   }
 
   @Test

@@ -227,6 +227,11 @@ final class LiveFloor {
             0,
             null,
             null);
+    return submit(order);
+  }
+
+  /** The task's number. */
+  long submit(TaskOrder order) throws Exception {
     Answer<TaskView> answer =
         fleet.submit(order, "Clara").toCompletableFuture().get(10, TimeUnit.SECONDS);
     return ((Answer.Accepted<TaskView>) answer).value().id();

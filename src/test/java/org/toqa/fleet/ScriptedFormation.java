@@ -15,8 +15,11 @@ final class ScriptedFormation {
   private @Nullable Lead leading;
   private @Nullable Follow following;
 
-  /** The task whose formation it has brought to its goal. */
-  private @Nullable Long ended;
+  /** How often it has brought a formation to where that went; others read it. */
+  private volatile int ends;
+
+  /** How often its leader had, when it began to follow. */
+  private int endsBefore;
 
   ScriptedFormation(Function<String, ScriptedRobot> peers) {
     this.peers = peers;
@@ -28,11 +31,11 @@ final class ScriptedFormation {
 
   void lead(Lead order) {
     leading = order;
-    ended = null;
   }
 
   void follow(Follow order) {
     following = order;
+    endsBefore = leader().formation().ends;
   }
 
   void cancel() {
@@ -41,8 +44,8 @@ final class ScriptedFormation {
   }
 
   /** Its drive is at its goal, and with it the formation, if it leads one. */
-  void endLeading(@Nullable Long task) {
-    ended = leading == null ? ended : task;
+  void endLeading() {
+    ends += leading == null ? 0 : 1;
     leading = null;
   }
 
@@ -63,8 +66,9 @@ final class ScriptedFormation {
     return following != null && following.task() == task;
   }
 
-  boolean hasEnded(long task) {
-    return ended != null && ended == task;
+  /** Whether the formation that it follows is where that went. */
+  boolean hasLeaderEnded() {
+    return leader().formation().ends > endsBefore;
   }
 
   /** Those that it leads. */

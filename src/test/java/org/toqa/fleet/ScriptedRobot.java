@@ -324,7 +324,7 @@ public final class ScriptedRobot {
     pose = next == null ? pose : next;
     if (!held && drive.isAtGoal()) {
       drive.end();
-      formation.endLeading(drive.task());
+      formation.endLeading();
     }
     listener.received(state());
     Done done = drive.done();
@@ -340,8 +340,8 @@ public final class ScriptedRobot {
     return formation.isFollowing(task) && !condition.mute && !held && condition.fault == null;
   }
 
-  private synchronized boolean hasEnded(long task) {
-    return formation.hasEnded(task);
+  ScriptedFormation formation() {
+    return formation;
   }
 
   private synchronized Pose pose() {
@@ -355,7 +355,7 @@ public final class ScriptedRobot {
     }
     ScriptedRobot leader = formation.leader();
     pose = leader.pose().compose(new Pose(order.offset().x(), order.offset().y(), 0));
-    if (leader.hasEnded(order.task()) && !condition.missesEnd) {
+    if (formation.hasLeaderEnded() && !condition.missesEnd) {
       drive.end();
       formation.endFollowing();
     }

@@ -308,9 +308,9 @@ final class OrderValidator {
     if (!(checked instanceof Answer.Accepted<TransportTask>(TransportTask task))) {
       return CompletableFuture.completedFuture(checked);
     }
-    if (!task.stops().isEmpty() && !capacity.narrowestTeams(task).isEmpty()) {
+    if (task.hasCharging() && !capacity.narrowestTeams(task).isEmpty()) {
       return CompletableFuture.completedFuture(
-          new Answer.Rejected<>("load", Phrase.STOPS_NEED_ONE_ROBOT.with(task.load())));
+          new Answer.Rejected<>("load", Phrase.CHARGING_NEEDS_ONE_ROBOT.with(task.load())));
     }
     Mission mission = Mission.queued(task);
     return paths

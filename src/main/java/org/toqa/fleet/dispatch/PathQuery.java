@@ -88,13 +88,14 @@ final class PathQuery {
    * All on which it depends whether so many robots have room for a task.
    *
    * @param object where the load is
+   * @param stops where it is carried, in order
    * @param diameter of the largest robot, metres
    * @param mobility how they can be led
    * @param size of the load; null: not told
    */
   record TeamQuestion(
       TaskPlace object,
-      TaskPlace goal,
+      List<TaskPlace> stops,
       int robots,
       double diameter,
       GroupMobility mobility,
@@ -104,7 +105,7 @@ final class PathQuery {
     static TeamQuestion of(Mission mission, List<Candidate> team) {
       return new TeamQuestion(
           mission.object(),
-          mission.task().goal(),
+          mission.task().placesFrom(1),
           team.size(),
           team.stream()
               .mapToDouble(Candidate::diameter)

@@ -63,7 +63,7 @@ final class TaskQueue {
             task.goal().position(),
             AllocationTask.waitingSince(task.createdAt(), task.priority(), task.deadline()))
         .withOnlyRobots(task.onlyRobots())
-        .withStops(ahead.subList(0, Math.max(0, ahead.size() - 1)), !task.stops().isEmpty());
+        .withStops(ahead.subList(0, Math.max(0, ahead.size() - 1)), task.hasCharging());
   }
 
   Optional<Queued> get(long id) {

@@ -20,8 +20,8 @@ import org.toqa.traffic.floor.FormationFootprint;
 import org.toqa.traffic.floor.FormationPaths;
 
 /**
- * Finds places round a load where all its robots can be, and from where the group has a path to the
- * goal: {@link Shape#around} in eight headings, its places moved as {@link LoadPlaces} says. A load
+ * Finds places round a load where all its robots can be, and from where the group has a path along
+ * all its stops: {@link Shape#around} in eight headings, its places moved as {@link LoadPlaces} says. A load
  * lies along the heading; a square one also cornerwise, its sides along the map. Shapes that share
  * the load evenly come first, then narrow ones, with robots behind each other, for narrow ways. A
  * function of its arguments: a restarted server finds the same. Any thread may ask.
@@ -44,30 +44,52 @@ final class FormationPlacement {
 
   /**
    * @param object where the load is, metres, map frame
-   * @param goal where it is carried, metres, map frame
+   * @param stops where it is carried, one after the other, metres, map frame
    * @param radius of the largest robot, metres
    * @param mobility how they can be led
    * @return empty where there is no room for them or no path, wherever the load faces
    */
   Optional<Formation> find(
       Vec2 object,
-      Vec2 goal,
+      List<Vec2> stops,
       int robots,
       @Nullable LoadSize requestedSize,
       double radius,
       GroupMobility mobility) {
     LoadSize size = requestedSize == null ? LoadSize.DEFAULT : requestedSize;
-    FormationPaths paths = new FormationPaths(grid, margins, goal);
-    return firstWithPath(around(object, robots, size, radius, mobility), paths);
+    return firstWithPath(around(object, robots, size, radius, mobility), legs(stops));
+  }
+
+  /** The paths to each of these places. */
+  List<FormationPaths> legs(List<Vec2> stops) {
+    return stops.stream().map(stop -> new FormationPaths(grid, margins, stop)).toList();
   }
 
   /** The first one that has a path without a shift; where there is none, with shifts. */
-  static Optional<Formation> firstWithPath(List<Formation> formations, FormationPaths paths) {
+  static Optional<Formation> firstWithPath(
+      List<Formation> formations, List<FormationPaths> legs) {
     return Stream.of(false, true)
         .flatMap(
             shifting ->
-                formations.stream().filter(f -> paths.hasPath(f.group(), f.pose(0), shifting)))
+                formations.stream()
+                    .filter(formation -> passedLegs(formation, legs, shifting) == legs.size()))
         .findFirst();
+  }
+
+  /**
+   * How many legs it has a path for, one after the other, before the first one that it has none
+   * for.
+   */
+  static int passedLegs(Formation formation, List<FormationPaths> legs, boolean shifting) {
+    Pose leader = formation.pose(0);
+    for (int leg = 0; leg < legs.size(); leg++) {
+      Optional<Pose> end = legs.get(leg).endOfPath(formation.group(), leader, shifting);
+      if (end.isEmpty()) {
+        return leg;
+      }
+      leader = end.get();
+    }
+    return legs.size();
   }
 
   /** Those that have room where the load is, the best first. */

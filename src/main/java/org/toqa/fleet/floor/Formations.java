@@ -62,11 +62,16 @@ final class Formations {
         key ->
             places.find(
                 object,
-                mission.task().goal().position(),
+                stops(mission),
                 robots.size(),
                 mission.task().size(),
                 largestRadius(mission),
                 mobility(mission)));
+  }
+
+  /** All of them, also those that it has left: what was found once is found again. */
+  private static List<Vec2> stops(Mission mission) {
+    return mission.task().placesFrom(1).stream().map(TaskPlace::position).toList();
   }
 
   private GroupMobility mobility(Mission mission) {

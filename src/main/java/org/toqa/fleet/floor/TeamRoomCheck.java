@@ -10,6 +10,7 @@ import org.toqa.grid.Bottleneck;
 import org.toqa.grid.Margins;
 import org.toqa.grid.OccupancyGrid;
 import org.toqa.mission.Mission;
+import org.toqa.mission.TaskPlace;
 import org.toqa.mission.TransportTask.LoadSize;
 import org.toqa.traffic.floor.FormationPaths;
 import org.toqa.wording.Phrase;
@@ -39,32 +40,48 @@ public final class TeamRoomCheck {
       return Optional.empty();
     }
     Vec2 object = mission.object().position();
-    Vec2 goal = mission.task().goal().position();
     LoadSize size = Objects.requireNonNullElse(mission.task().size(), LoadSize.DEFAULT);
     List<Formation> around = places.around(object, robots, size, diameter / 2, mobility);
-    FormationPaths paths = new FormationPaths(grid, margins, goal);
-    if (FormationPlacement.firstWithPath(around, paths).isPresent()) {
+    List<TaskPlace> stops = mission.task().placesFrom(1);
+    List<FormationPaths> legs = places.legs(stops.stream().map(TaskPlace::position).toList());
+    if (FormationPlacement.firstWithPath(around, legs).isPresent()) {
       return Optional.empty();
     }
-    return Optional.of(reason(mission, robots, around, paths));
+    if (around.isEmpty()) {
+      return Optional.of(Phrase.NO_ROOM_AROUND_LOAD.with(robots, mission.object().sentence()));
+    }
+    int leg = firstWithoutPath(around, legs);
+    TaskPlace from = leg == 0 ? mission.object() : stops.get(leg - 1);
+    return Optional.of(reason(from, stops.get(leg), robots, around, legs.get(leg)));
+  }
+
+  /** The number of the leg to which those that come farthest come. */
+  private static int firstWithoutPath(List<Formation> around, List<FormationPaths> legs) {
+    return around.stream()
+        .mapToInt(
+            formation ->
+                Math.max(
+                    FormationPlacement.passedLegs(formation, legs, false),
+                    FormationPlacement.passedLegs(formation, legs, true)))
+        .max()
+        .orElse(0);
   }
 
   private Sentence reason(
-      Mission mission, int robots, List<Formation> around, FormationPaths paths) {
-    Vec2 object = mission.object().position();
-    Vec2 goal = mission.task().goal().position();
-    if (around.isEmpty()) {
-      return Phrase.NO_ROOM_AROUND_LOAD.with(robots, mission.object().sentence());
-    }
+      TaskPlace from,
+      TaskPlace goal,
+      int robots,
+      List<Formation> around,
+      FormationPaths paths) {
     if (around.stream().noneMatch(f -> paths.hasRoomAtGoal(f.group()))) {
-      return Phrase.NO_ROOM_AT_GOAL.with(robots, mission.task().goal().sentence());
+      return Phrase.NO_ROOM_AT_GOAL.with(robots, goal.sentence());
     }
     double width =
         around.stream()
             .map(f -> paths.passageWidth(f.group()))
             .min(Comparator.naturalOrder())
             .orElseThrow();
-    return Bottleneck.between(grid, object, goal, width)
+    return Bottleneck.between(grid, from.position(), goal.position(), width)
         .map(
             passage ->
                 Phrase.PASSAGE_TOO_NARROW.with(
@@ -73,8 +90,8 @@ public final class TeamRoomCheck {
             () ->
                 Phrase.NO_ROOM_TO_TURN.with(
                     robots,
-                    mission.task().goal().sentence(),
-                    Sentence.of(paths.nearest().orElse(object))));
+                    goal.sentence(),
+                    Sentence.of(paths.nearest().orElse(from.position()))));
   }
 
   /** Of a mission that so many robots have no room for. */

@@ -13,6 +13,7 @@ import org.toqa.geometry.Vec2;
 import org.toqa.grid.Margins;
 import org.toqa.grid.OccupancyGrid;
 import org.toqa.motion.DriveSpeeds;
+import org.toqa.motion.Trajectory;
 
 /**
  * Whether formations that stand round one load have a path to its goal on a floor where nobody else
@@ -49,23 +50,35 @@ public final class FormationPaths {
    * @param shifting whether it may be led sideways, where it can be
    */
   public boolean hasPath(FormationFootprint formation, Pose leader, boolean shifting) {
+    return endOfPath(formation, leader, shifting).isPresent();
+  }
+
+  /**
+   * Where the leader stands at the end of a path to the goal; empty: there is none.
+   *
+   * @param leader where it stands, map frame
+   * @param shifting whether it may be led sideways, where it can be
+   */
+  public Optional<Pose> endOfPath(FormationFootprint formation, Pose leader, boolean shifting) {
     if (shifting && !formation.shape().mobility().canShift()) {
-      return false;
+      return Optional.empty();
     }
     Pose start = FormationPlanner.start(grid, leader);
     double metres = formation.shape().loadAt(start).position().distanceTo(goal);
     return metres < FormationLattice.goalTolerance(grid)
-        || FormationPlanner.atStart(margins).stream()
-            .anyMatch(margin -> hasPath(formation, start, margin, shifting));
+        ? Optional.of(start)
+        : FormationPlanner.atStart(margins).stream()
+            .flatMap(margin -> endOfPath(formation, start, margin, shifting).stream())
+            .findFirst();
   }
 
-  private boolean hasPath(
+  private Optional<Pose> endOfPath(
       FormationFootprint formation, Pose start, double margin, boolean shifting) {
     FormationClearance clearance =
         new FormationClearance(
             grid, formation, start, walls, List.of(), margins.formation(), margin);
     BitSet deadStates = dead.computeIfAbsent(key(formation, margin, shifting), _ -> new BitSet());
-    boolean isFound =
+    Optional<Pose> end =
         FormationPlanner.trajectory(
                 grid,
                 formation.shape(),
@@ -75,11 +88,11 @@ public final class FormationPaths {
                 clearance,
                 shifting,
                 deadStates)
-            .isPresent();
-    if (!isFound) {
+            .map(Trajectory::end);
+    if (end.isEmpty()) {
       recordNearest(formation.shape(), deadStates);
     }
-    return isFound;
+    return end;
   }
 
   private void recordNearest(Shape shape, BitSet states) {

@@ -101,7 +101,7 @@ class FormationPlacementTest {
         paths++;
         assertTrue(
             finePlaces
-                .find(start.position(), goal.position(), 2, null, RADIUS, GroupMobility.SHIFTING)
+                .find(start.position(), List.of(goal.position()), 2, null, RADIUS, GroupMobility.SHIFTING)
                 .isPresent(),
             start + " to " + goal);
       }
@@ -144,7 +144,7 @@ class FormationPlacementTest {
 
   private static Optional<Formation> round(Place start, Place goal, int robots) {
     return places.find(
-        start.position(), goal.position(), robots, null, RADIUS, GroupMobility.SHIFTING);
+        start.position(), List.of(goal.position()), robots, null, RADIUS, GroupMobility.SHIFTING);
   }
 
   private static Pose beside(Pose place, Random random) {
