@@ -22,7 +22,7 @@
   <c:if test="${not empty script or not empty caller}"><script type="module" src="${root}/assets/js/${empty script ? 'shared/live.js' : script}"></script></c:if>
   <c:if test="${not empty caller}"><script type="module" src="${root}/assets/js/notices/bell.js"></script></c:if>
   <script type="module" src="${root}/assets/js/shared/times.js"></script>
-  <c:if test="${not empty caller}"><script type="module" src="${root}/assets/js/shared/menu.js"></script><script type="module" src="${root}/assets/js/shared/banners.js"></script></c:if>
+  <c:if test="${not empty caller}"><script type="module" src="${root}/assets/js/shared/menu.js"></script><script type="module" src="${root}/assets/js/shared/unsent.js"></script><script type="module" src="${root}/assets/js/shared/banners.js"></script></c:if>
   <c:if test="${not empty errors}"><script type="module" src="${root}/assets/js/shared/first-fault.js"></script></c:if>
   <c:if test="${pageContext.request.queryString.contains('done=')}"><script type="module" src="${root}/assets/js/shared/told-once.js"></script></c:if>
 </head>
@@ -76,7 +76,7 @@
     <div id="banners">
     <jsp:invoke fragment="urgent"/>
     <c:url value="/" var="login"><c:param name="next" value="${address}"/></c:url>
-    <p id="offline" class="notice bad" role="alert" hidden><span data-connection="disconnected"><fmt:message key="map.disconnected"/></span><span data-connection="loggedOut"><fmt:message key="map.loggedOut"/>${" "}<a href="<c:out value="${login}"/>"><fmt:message key="map.loggedOut.link"/></a></span></p>
+    <p id="offline" class="notice bad" role="alert" hidden><span data-connection="unsent"><fmt:message key="page.unsent"/></span><span data-connection="disconnected"><fmt:message key="map.disconnected"/></span><span data-connection="loggedOut"><fmt:message key="map.loggedOut"/>${" "}<a href="<c:out value="${login}"/>"><fmt:message key="map.loggedOut.link"/></a></span></p>
     <div id="alerts" role="alert"><c:forEach items="${alerts}" var="alert"><p class="notice bad"><t:said sentence="${alert}"/></p></c:forEach></div>
     <jsp:invoke fragment="remark"/>
     </div>

@@ -3,6 +3,7 @@ package org.toqa.web.page;
 import static com.microsoft.playwright.assertions.PlaywrightAssertions.assertThat;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import com.microsoft.playwright.Browser;
 import com.microsoft.playwright.Locator;
 import com.microsoft.playwright.Page;
 import com.microsoft.playwright.options.AriaRole;
@@ -115,6 +116,31 @@ class TaskPagesInBrowserTest extends PagesInBrowser {
     page.getByLabel("Load (kg)").fill("2,5");
     submit.click();
     assertThat(page.locator("#startStation")).isFocused();
+  }
+
+  @Test
+  void aFormThatTheServerDoesNotHearKeepsItsEntries() {
+    Page page = openPage(new Browser.NewContextOptions());
+    page.clock().install();
+    page.navigate(server.root().toString());
+    logIn(page, WebTestServer.MANAGER);
+    page.navigate(server.root() + "tasks/new");
+    page.getByLabel("Task name").fill("Box of bolts");
+    page.getByLabel("Load (kg)").fill("2.5");
+    page.locator("#startStation").selectOption("Dock A");
+    page.clock().fastForward(60_000);
+    page.context().setOffline(true);
+
+    button(page, "Create task").click();
+
+    assertThat(page.locator("#offline")).containsText("Not sent: the server does not answer.");
+    assertThat(page.locator("#offline")).not().containsText("Reconnecting");
+    assertThat(page.getByLabel("Task name")).hasValue("Box of bolts");
+    assertFits(page, "new-task-unsent", DESK, PHONE);
+
+    page.context().setOffline(false);
+    button(page, "Create task").click();
+    assertThat(page.locator("#goalStation")).isFocused(); // it was sent, and has no goal
   }
 
   @Test
