@@ -1,5 +1,9 @@
 const HEIGHT = 14; // pixels of a line of text
 
+/** Sides of a sign, the better one first. */
+const BELOW = [1, -1];
+export const ABOVE = [-1, 1];
+
 /** Text that can be read on any ground, in its own direction, whatever that of the page. */
 export function drawLabel(context, colours, words, x, y, baseline, colour = colours['map-text']) {
   const label = `\u2068${words}\u2069`;
@@ -14,7 +18,7 @@ export function drawLabel(context, colours, words, x, y, baseline, colour = colo
   context.fillText(label, x, y);
 }
 
-/** Labels of one frame that keep clear of each other: below their sign, else above, else not. */
+/** Labels of one frame that keep clear of each other: on one side of their sign, else on the other, else not. */
 export class Labels {
   #context;
   #colours;
@@ -25,12 +29,15 @@ export class Labels {
     this.#colours = colours;
   }
 
-  /** @param half the sign's half width, pixels */
-  draw(label, x, y, half, colour) {
+  /**
+   * @param half the sign's half width, pixels
+   * @param sides where it stands, the better side first
+   */
+  draw(label, x, y, half, colour, sides = BELOW) {
     this.#context.font = `600 12px ${this.#colours.font}`;
     const width = this.#context.measureText(label).width;
-    const tops = [y + half + 3, y - half - 3 - HEIGHT];
-    const free = tops
+    const free = sides
+      .map((side) => (side > 0 ? y + half + 3 : y - half - 3 - HEIGHT))
       .map((top) => ({left: x - width / 2, right: x + width / 2, top, bottom: top + HEIGHT}))
       .find((box) => !this.#taken.some((other) => overlap(box, other)));
     if (free) {

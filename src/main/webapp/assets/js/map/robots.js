@@ -1,4 +1,4 @@
-import {drawLabel} from '../floor/labels.js';
+import {ABOVE, drawLabel, Labels} from '../floor/labels.js';
 import {text} from '../shared/texts.js';
 import {isOpen} from './fleet-state.js';
 
@@ -79,6 +79,21 @@ export function drawRobots(context, viewport, colours, robots, tasks, poseOf, he
     drawArm(context, viewport, colours, robot, pose);
     context.globalAlpha = 1;
   }
+  drawNames(context, viewport, colours, seen);
+}
+
+/**
+ * Of robots that stand close together not all have room for their names, those that the filter lets through first; the
+ * list beside the map has all.
+ */
+function drawNames(context, viewport, colours, seen) {
+  const labels = new Labels(context, colours);
+  for (const [robot, pose] of seen.toSorted(([a], [b]) => Number(a.faint ?? false) - Number(b.faint ?? false))) {
+    const [x, y] = viewport.toScreen(pose.x, pose.y);
+    context.globalAlpha = robot.faint ? 0.25 : 1;
+    labels.draw(robot.name, x, y, 1.75 * radius(viewport, robot) - 3, undefined, ABOVE);
+  }
+  context.globalAlpha = 1;
 }
 
 /** Where a point of a frame is on the map. */
@@ -196,7 +211,6 @@ function drawRobot(context, viewport, colours, robot, pose) {
   context.textAlign = 'center';
   context.textBaseline = 'middle';
   context.fillText(robot.letter ?? text(`robot.letter.${robot.state}`), x, y + 0.05 * r);
-  drawLabel(context, colours, robot.name, x, y - 1.75 * r, 'bottom');
 }
 
 /** Draws a load in the middle of the robots that carry it together, with the heading of their leader. */

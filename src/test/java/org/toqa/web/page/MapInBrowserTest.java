@@ -1,7 +1,9 @@
 package org.toqa.web.page;
 
 import static com.microsoft.playwright.assertions.PlaywrightAssertions.assertThat;
+import static org.junit.jupiter.api.Assertions.assertEquals;
 
+import com.microsoft.playwright.Browser;
 import com.microsoft.playwright.Locator;
 import com.microsoft.playwright.Page;
 import com.microsoft.playwright.assertions.LocatorAssertions;
@@ -11,6 +13,7 @@ import java.util.List;
 import java.util.Map;
 import org.junit.jupiter.api.Test;
 import org.toqa.fleet.FloorView;
+import org.toqa.fleet.RobotView;
 import org.toqa.geometry.Pose;
 import org.toqa.geometry.Vec2;
 import org.toqa.grid.CellRuns;
@@ -34,6 +37,44 @@ class MapInBrowserTest extends PagesInBrowser {
     move("r1", new Pose(5, 4.6, 0));
 
     await(page, () -> !pictureOf(page).equals(before));
+  }
+
+  @Test
+  void namesOfRobotsThatStandTogetherDoNotCoverEachOther() {
+    List<RobotView> robots = server.fleet().latest().robots();
+    for (int i = 0; i < robots.size(); i++) {
+      move(robots.get(i).name(), new Pose(5 + 0.3 * i, 4.6, 0));
+    }
+    Page page = openPage(new Browser.NewContextOptions().setViewportSize(390, 844));
+    page.addInitScript(
+        """
+        window.drawn = [];
+        const prototype = CanvasRenderingContext2D.prototype;
+        const {clearRect, fillText} = prototype;
+        prototype.clearRect = function (...box) {
+          window.drawn = [];
+          clearRect.apply(this, box);
+        };
+        prototype.fillText = function (words, x, y) {
+          if (/r\\d/.test(words)) {
+            const half = this.measureText(words).width / 2;
+            window.drawn.push({name: words, left: x - half, right: x + half, top: y});
+          }
+          fillText.call(this, words, x, y);
+        };
+        """);
+    page.navigate(server.root().toString());
+    logIn(page, WebTestServer.MANAGER);
+    await(page, () -> (Integer) page.evaluate("window.drawn.length") > 2);
+
+    assertEquals(
+        List.of(),
+        page.evaluate(
+            """
+            window.drawn.flatMap((a, i) => window.drawn.slice(i + 1)
+              .filter((b) => a.left < b.right && b.left < a.right && Math.abs(a.top - b.top) < 14)
+              .map((b) => a.name + b.name))
+            """));
   }
 
   @Test
