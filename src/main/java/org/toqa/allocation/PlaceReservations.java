@@ -55,8 +55,7 @@ final class PlaceReservations {
         .or(
             () ->
                 task.via().stream()
-                    .flatMap(
-                        stop -> conflict(task, stop, Phrase.STOP, together, others).stream())
+                    .flatMap(stop -> conflict(task, stop, Phrase.STOP, together, others).stream())
                     .findFirst())
         .or(() -> conflict(task, task.goal(), Phrase.GOAL, together, others));
   }

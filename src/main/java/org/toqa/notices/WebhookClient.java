@@ -28,6 +28,9 @@ final class WebhookClient implements AutoCloseable {
   /** Of a request as a whole, also of a receiver that answers a byte now and then. */
   private static final Duration WHOLE_LIMIT = Duration.ofSeconds(20);
 
+  /** The setting that names where else than to the Internet a webhook may lead. */
+  static final String NETWORKS = "webhooks.networks";
+
   private static final int SUCCESS = 200;
   private static final int REDIRECT = 300;
 
@@ -61,7 +64,7 @@ final class WebhookClient implements AutoCloseable {
   }
 
   /** A resolver may say no in no other way. */
-  private static final class PrivateHostException extends UnknownHostException {
+  static final class PrivateHostException extends UnknownHostException {
     private static final long serialVersionUID = 1;
 
     PrivateHostException(String host) {
@@ -81,8 +84,6 @@ final class WebhookClient implements AutoCloseable {
   void post(URI url, String body, Map<String, String> headers) throws WebhookException {
     try {
       send(url, body, headers);
-    } catch (PrivateHostException _) {
-      throw new WebhookException(Phrase.WEBHOOK_PRIVATE.with(url.getHost()));
     } catch (IOException e) {
       throw WebhookException.of(url, e, LIMIT);
     }
@@ -105,7 +106,7 @@ final class WebhookClient implements AutoCloseable {
   private void requireNamed(URI url) throws IOException {
     for (InetAddress address : InetAddress.getAllByName(unbracketed(url.getHost()))) {
       if (!addresses.isNamed(address)) {
-        throw new WebhookException(Phrase.WEBHOOK_UNENCRYPTED.with());
+        throw new WebhookException(Phrase.WEBHOOK_UNENCRYPTED.with(NETWORKS));
       }
     }
   }

@@ -28,10 +28,13 @@ public final class WebhookException extends IOException {
     String host = url.getHost();
     return switch (failure) {
       case WebhookException known -> known;
+      case WebhookClient.PrivateHostException _ ->
+          new WebhookException(Phrase.WEBHOOK_PRIVATE.with(host, WebhookClient.NETWORKS));
       case UnknownHostException _ -> new WebhookException(Phrase.WEBHOOK_HOST_UNKNOWN.with(host));
       case SocketTimeoutException _ ->
           new WebhookException(Phrase.WEBHOOK_SILENT.with(host, limit.toSeconds()));
-      case ConnectException _ -> new WebhookException(Phrase.WEBHOOK_REFUSED.with(url.getAuthority()));
+      case ConnectException _ ->
+          new WebhookException(Phrase.WEBHOOK_REFUSED.with(url.getAuthority()));
       case SSLException _ ->
           new WebhookException(
               Phrase.WEBHOOK_NO_TLS.with(host, String.valueOf(failure.getMessage())));

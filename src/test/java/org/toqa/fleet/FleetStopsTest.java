@@ -142,7 +142,8 @@ class FleetStopsTest extends HallFleetTest {
             .filter(text -> !text.matches("r[12] arrived at .*"))
             .toList());
     assertEquals(
-        List.of("r1 arrived at (8.50, 2.50)", "r1 arrived at (11.50, 1.50)", "r1 arrived at the goal"),
+        List.of(
+            "r1 arrived at (8.50, 2.50)", "r1 arrived at (11.50, 1.50)", "r1 arrived at the goal"),
         stage.store.history(task).stream()
             .map(EventRecord::text)
             .filter(text -> text.startsWith("r1 arrived at"))
@@ -163,8 +164,7 @@ class FleetStopsTest extends HallFleetTest {
     accepted(stage.fleet.commandTask(task, new MissionEvent.Cancel("Clara", LoadChoice.HERE)));
     until(view -> task(view, task).state() == TaskState.CANCELLED);
 
-    assertEquals(
-        1, stage.fleet.snapshots().latest().floors().getFirst().leftLoads().size());
+    assertEquals(1, stage.fleet.snapshots().latest().floors().getFirst().leftLoads().size());
   }
 
   @Test

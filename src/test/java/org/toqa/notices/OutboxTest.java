@@ -225,7 +225,8 @@ class OutboxTest {
     try (Outbox _ = outbox(loopback())) {
       await(() -> outcomes().getFirst().attempts() == 1);
       assertTrue(
-        String.valueOf(outcomes().getFirst().failure()).contains("answered with the status 500;"));
+          String.valueOf(outcomes().getFirst().failure())
+              .contains("answered with the status 500;"));
       assertEquals(START.plusSeconds(5), outcomes().getFirst().nextAt());
       now = START.plusSeconds(5);
       await(() -> outcomes().getFirst().attempts() == 2);

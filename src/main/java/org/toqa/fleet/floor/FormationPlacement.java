@@ -21,10 +21,11 @@ import org.toqa.traffic.floor.FormationPaths;
 
 /**
  * Finds places round a load where all its robots can be, and from where the group has a path along
- * all its stops: {@link Shape#around} in eight headings, its places moved as {@link LoadPlaces} says. A load
- * lies along the heading; a square one also cornerwise, its sides along the map. Shapes that share
- * the load evenly come first, then narrow ones, with robots behind each other, for narrow ways. A
- * function of its arguments: a restarted server finds the same. Any thread may ask.
+ * all its stops: {@link Shape#around} in eight headings, its places moved as {@link LoadPlaces}
+ * says. A load lies along the heading; a square one also cornerwise, its sides along the map.
+ * Shapes that share the load evenly come first, then narrow ones, with robots behind each other,
+ * for narrow ways. A function of its arguments: a restarted server finds the same. Any thread may
+ * ask.
  */
 final class FormationPlacement {
   private static final int EIGHTHS = 8;
@@ -66,8 +67,7 @@ final class FormationPlacement {
   }
 
   /** The first one that has a path without a shift; where there is none, with shifts. */
-  static Optional<Formation> firstWithPath(
-      List<Formation> formations, List<FormationPaths> legs) {
+  static Optional<Formation> firstWithPath(List<Formation> formations, List<FormationPaths> legs) {
     return Stream.of(false, true)
         .flatMap(
             shifting ->

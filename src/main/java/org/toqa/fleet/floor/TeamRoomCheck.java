@@ -19,12 +19,10 @@ import org.toqa.wording.Sentence;
 /** Whether a floor has room for robots that carry a load together, along the whole path. */
 public final class TeamRoomCheck {
   private final OccupancyGrid grid;
-  private final Margins margins;
   private final FormationPlacement places;
 
   public TeamRoomCheck(OccupancyGrid grid, Margins margins) {
     this.grid = grid;
-    this.margins = margins;
     this.places = new FormationPlacement(grid, margins);
   }
 
@@ -50,7 +48,7 @@ public final class TeamRoomCheck {
     if (around.isEmpty()) {
       return Optional.of(Phrase.NO_ROOM_AROUND_LOAD.with(robots, mission.object().sentence()));
     }
-    int leg = firstWithoutPath(around, legs);
+    int leg = legs.size() == 1 ? 0 : firstWithoutPath(around, legs);
     TaskPlace from = leg == 0 ? mission.object() : stops.get(leg - 1);
     return Optional.of(reason(from, stops.get(leg), robots, around, legs.get(leg)));
   }
@@ -68,11 +66,7 @@ public final class TeamRoomCheck {
   }
 
   private Sentence reason(
-      TaskPlace from,
-      TaskPlace goal,
-      int robots,
-      List<Formation> around,
-      FormationPaths paths) {
+      TaskPlace from, TaskPlace goal, int robots, List<Formation> around, FormationPaths paths) {
     if (around.stream().noneMatch(f -> paths.hasRoomAtGoal(f.group()))) {
       return Phrase.NO_ROOM_AT_GOAL.with(robots, goal.sentence());
     }
@@ -89,9 +83,7 @@ public final class TeamRoomCheck {
         .orElseGet(
             () ->
                 Phrase.NO_ROOM_TO_TURN.with(
-                    robots,
-                    goal.sentence(),
-                    Sentence.of(paths.nearest().orElse(from.position()))));
+                    robots, goal.sentence(), Sentence.of(paths.nearest().orElse(from.position()))));
   }
 
   /** Of a mission that so many robots have no room for. */

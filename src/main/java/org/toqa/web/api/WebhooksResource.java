@@ -139,8 +139,7 @@ public final class WebhooksResource extends ApiHandler {
       services(request).notices().webhooks().postTest(webhook(request));
     } catch (WebhookException e) {
       Texts texts = Texts.of(request);
-      throw Problem.of(502, texts.get("error.webhooks.test", texts.text(e.sentence())))
-          .exception();
+      throw Problem.of(502, texts.get("error.webhooks.test", texts.text(e.sentence()))).exception();
     }
     response.setStatus(HttpServletResponse.SC_NO_CONTENT);
   }

@@ -101,7 +101,13 @@ class FormationPlacementTest {
         paths++;
         assertTrue(
             finePlaces
-                .find(start.position(), List.of(goal.position()), 2, null, RADIUS, GroupMobility.SHIFTING)
+                .find(
+                    start.position(),
+                    List.of(goal.position()),
+                    2,
+                    null,
+                    RADIUS,
+                    GroupMobility.SHIFTING)
                 .isPresent(),
             start + " to " + goal);
       }

@@ -16,7 +16,10 @@ import org.toqa.fleet.CheckRefusedException.Reason;
 import org.toqa.web.TestClient;
 import org.toqa.web.WebTestServer;
 
-/** What people are told of orders that the fleet does not check or store: in the API and on the pages. */
+/**
+ * What people are told of orders that the fleet does not check or store: in the API and on the
+ * pages.
+ */
 class ChecksRefusedTest {
   private static final String TASK =
       """

@@ -333,7 +333,8 @@ class ImportTest {
         List.of("1 name", "2 goal"),
         faults("name,load,start,goal,name\na,1,Dock A,Nowhere,\nb,1,Dock A,Shelf 3,\n"));
     assertEquals( // no line of columns at all
-        List.of("1 2.5", "1 Dock A", "1 Shelf 3", "1 bolts", "1 goal", "1 load", "1 name", "1 start"),
+        List.of(
+            "1 2.5", "1 Dock A", "1 Shelf 3", "1 bolts", "1 goal", "1 load", "1 name", "1 start"),
         faults("bolts,2.5,Dock A,Shelf 3\n,x,Dock A,Shelf 3\n"));
     assertEquals(0, added());
   }
