@@ -81,6 +81,16 @@
         <ul id="ranges" class="bars"></ul>
         <p id="ranges-age" class="faint" hidden></p>
       </article>
+      <article id="arm" hidden>
+        <h2><fmt:message key="control.arm"/></h2>
+        <fmt:message key="control.arm.label" var="armLabel"/>
+        <svg class="arm" viewBox="-100 -100 200 200" role="img" aria-label="${armLabel}"><circle class="body"/><path class="nose"/><circle class="reach"/><circle class="near"/><polyline class="links"/><circle class="shoulder"/><circle class="elbow"/><circle class="hand"/></svg>
+        <dl>
+          <c:forTokens items="shoulder,elbow,hand,load,step" delims="," var="fact">
+            <dt><fmt:message key="control.arm.${fact}"/></dt><dd><bdi data-arm="${fact}">–</bdi></dd>
+          </c:forTokens>
+        </dl>
+      </article>
     </div>
     <div class="charts">
       <c:forTokens items="crossTrack,heading" delims="," var="error">
@@ -94,5 +104,5 @@
       </c:forTokens>
     </div>
   </div>
-  <t:texts keys="control.disconnected map.loggedOut map.failed control.wheel.left control.wheel.right control.speed.v control.speed.w control.unit.speed control.unit.turn control.unit.mm control.unit.degrees control.unit.metres control.speeds.wheels control.speeds.body control.sensor control.ranges.age control.hand.busy control.hand.mine control.hand.noAnswer control.hand.ended control.failed camera.failed"/>
+  <t:texts keys="control.disconnected map.loggedOut map.failed control.wheel.left control.wheel.right control.speed.v control.speed.w control.unit.speed control.unit.turn control.unit.mm control.unit.degrees control.unit.metres control.unit.kilograms control.arm.at control.arm.empty control.arm.step.NONE control.arm.step.REACH control.arm.step.GRASP control.arm.step.WEIGH control.arm.step.RELEASE control.arm.step.FOLD control.speeds.wheels control.speeds.body control.sensor control.ranges.age control.hand.busy control.hand.mine control.hand.noAnswer control.hand.ended control.failed camera.failed"/>
 </t:page>

@@ -1,5 +1,6 @@
 import {FloorCanvas} from '../floor/floor-canvas.js';
 import {Floor} from '../floor/floor.js';
+import {drawArm} from '../map/arm.js';
 import {PoseInterpolator} from '../map/pose-interpolator.js';
 
 /** Points of the lines that are kept: some minutes. */
@@ -101,14 +102,14 @@ export class ControlMap {
     return this.#poses.isMoving(now);
   }
 
-  #drawRobot(context, viewport, colours, {name, footprint}, now) {
+  #drawRobot(context, viewport, colours, {name, footprint, arm}, now) {
     const pose = this.#poses.poseOf(name, now);
     if (!pose) {
       return;
     }
     const r = Math.max(SMALLEST, (footprint / 2) * viewport.scale);
-    context.save();
     context.globalAlpha = name === this.#robot ? 1 : 0.45;
+    context.save();
     context.translate(...viewport.toScreen(pose.x, pose.y));
     context.rotate(-pose.theta);
     context.beginPath();
@@ -121,6 +122,8 @@ export class ControlMap {
     context.stroke();
     context.fill();
     context.restore();
+    drawArm(context, viewport, colours, arm, pose);
+    context.globalAlpha = 1;
   }
 }
 

@@ -5,6 +5,7 @@ import {updateLiveRegions} from '../shared/live-regions.js';
 import {locale} from '../shared/locale.js';
 import {send} from '../shared/server.js';
 import {text} from '../shared/texts.js';
+import {ArmPanel} from './arm-panel.js';
 import {ControlMap} from './control-map.js';
 import {Gauge} from './gauge.js';
 import {Hand} from './hand.js';
@@ -24,6 +25,7 @@ class ControlPage {
   #left = new Gauge($('#gauge-left'));
   #right = new Gauge($('#gauge-right'));
   #ranges = new Ranges(this.#data.robot, this.#data.readings === 'true');
+  #arm = new ArmPanel($('#arm'));
   #crossTrack = new LiveChart('crossTrack', 'control.unit.mm', 10, 0);
   #heading = new LiveChart('heading', 'control.unit.degrees', 5, 1);
   #hand = $('#hand') ? new Hand($('#hand'), this.#data) : undefined;
@@ -57,6 +59,7 @@ class ControlPage {
     this.#showPose(robot.pose);
     this.#showSpeeds(robot);
     this.#ranges.update(robot);
+    this.#arm.update(robot);
     this.#crossTrack.add(robot.deviation ? MILLIMETRES * robot.deviation.crossTrack : undefined, now);
     this.#heading.add(robot.deviation ? DEGREES * robot.deviation.heading : undefined, now);
     this.#hand?.update(robot);

@@ -1,5 +1,6 @@
 import {ABOVE, drawLabel, Labels} from '../floor/labels.js';
 import {text} from '../shared/texts.js';
+import {armPoints, drawArm} from './arm.js';
 import {isOpen} from './fleet-state.js';
 
 const SMALLEST = 11; // pixels of a robot's radius
@@ -76,7 +77,7 @@ export function drawRobots(context, viewport, colours, robots, tasks, poseOf, he
     }
     context.globalAlpha = robot.faint ? 0.25 : 1;
     drawRobot(context, viewport, colours, robot, pose);
-    drawArm(context, viewport, colours, robot, pose);
+    drawArm(context, viewport, colours, robot.arm, pose);
     context.globalAlpha = 1;
   }
   drawNames(context, viewport, colours, seen);
@@ -96,57 +97,9 @@ function drawNames(context, viewport, colours, seen) {
   context.globalAlpha = 1;
 }
 
-/** Where a point of a frame is on the map. */
-function onMap({x, y, theta}, [along, aside]) {
-  const [cos, sin] = [Math.cos(theta), Math.sin(theta)];
-  return [x + cos * along - sin * aside, y + sin * along + cos * aside];
-}
-
-/** Shoulder, elbow and hand of an arm on the map, metres; null where they are not known. */
-function armPoints({arm}, pose) {
-  if (!arm?.joints || pose.theta === undefined) {
-    return null;
-  }
-  const {shoulder, elbow} = arm.joints;
-  const base = onMap(pose, [arm.base.x, arm.base.y]);
-  const frame = {x: base[0], y: base[1], theta: pose.theta + arm.base.theta};
-  const bend = [arm.upperLink * Math.cos(shoulder), arm.upperLink * Math.sin(shoulder)];
-  const reach = [arm.foreLink * Math.cos(shoulder + elbow), arm.foreLink * Math.sin(shoulder + elbow)];
-  return [base, onMap(frame, bend), onMap(frame, [bend[0] + reach[0], bend[1] + reach[1]])];
-}
-
 /** Where what a robot carries is: in its hand, or on it. */
 function handOf(robot, pose) {
-  return (robot.arm?.load ? armPoints(robot, pose)?.at(-1) : null) ?? [pose.x, pose.y];
-}
-
-/** Draws an arm as its two links, with a dot at each joint and a ring for the hand. */
-function drawArm(context, viewport, colours, robot, pose) {
-  const points = armPoints(robot, pose)?.map(([x, y]) => viewport.toScreen(x, y));
-  if (!points) {
-    return;
-  }
-  context.lineJoin = 'round';
-  context.lineCap = 'round';
-  for (const [colour, width] of [['map-halo', 6], ['map-load-line', 3]]) {
-    context.strokeStyle = colours[colour];
-    context.lineWidth = width;
-    context.beginPath();
-    points.forEach(([x, y]) => context.lineTo(x, y));
-    context.stroke();
-  }
-  context.fillStyle = colours['map-load-line'];
-  for (const [x, y] of points.slice(0, 2)) {
-    context.beginPath();
-    context.arc(x, y, 3, 0, 2 * Math.PI);
-    context.fill();
-  }
-  context.beginPath();
-  context.arc(...points.at(-1), 4, 0, 2 * Math.PI);
-  context.fillStyle = colours['map-halo'];
-  context.fill();
-  context.lineWidth = 2;
-  context.stroke();
+  return (robot.arm?.load ? armPoints(robot.arm, pose)?.at(-1) : null) ?? [pose.x, pose.y];
 }
 
 /** Pixels from a robot's centre to its edge. */

@@ -22,16 +22,22 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.toqa.accounts.Role;
+import org.toqa.arm.ArmStep;
+import org.toqa.arm.JointAngles;
 import org.toqa.fleet.ManualOrder;
 import org.toqa.fleet.RobotState;
 import org.toqa.fleet.RobotView;
+import org.toqa.fleet.RobotView.Readings;
+import org.toqa.fleet.RobotView.Telemetry;
 import org.toqa.geometry.Pose;
 import org.toqa.grid.CellRuns;
+import org.toqa.link.message.AgentMessage.ArmState;
 import org.toqa.link.message.AgentMessage.Fault;
 import org.toqa.notices.Condition;
 import org.toqa.notices.Notice;
 import org.toqa.notices.NoticeKind;
 import org.toqa.notices.NoticeStore.Change;
+import org.toqa.testbed.Hall;
 import org.toqa.testbed.Views;
 import org.toqa.web.TestClient;
 import org.toqa.web.WebTestServer;
@@ -462,6 +468,43 @@ class ManagerPagesInBrowserTest extends PagesInBrowser {
     assertThat(page.locator("#value-crossTrack")).hasText("12 mm");
     assertThat(page.locator("#value-heading")).hasText("-1.7°"); // -0.03 rad
     assertFits(page, "control", DARK, PHONE, DESK);
+  }
+
+  @Test
+  void anArmIsShownOnTheControlPageAsItMoves() {
+    Page page = loggedIn(WebTestServer.MANAGER, DESK, "robots/r2/control");
+    assertThat(page.locator("#arm")).isHidden();
+    showArm(new ArmState(new JointAngles(0, Math.PI / 2), null, 7L, ArmStep.REACH));
+    Locator facts = page.locator("#arm dd");
+    String[] reaching = {
+      "0°", "90°", "0.35 m ahead, 0.25 m to the left", "nothing", "reaches for the place"
+    };
+    assertThat(facts).hasText(reaching);
+    // 0.3 m and 0.25 m from the shoulder 0.05 m ahead: 0.6 m are 95 of the picture
+    assertThat(page.locator("#arm .links"))
+        .hasAttribute("points", "0,-7.92 0,-55.42 -39.58,-55.42");
+    showArm(new ArmState(new JointAngles(-Math.PI / 2, 0), 1.25, null, null));
+    String[] holding = {"-90°", "0°", "0.05 m ahead, -0.55 m to the left", "1.25 kg", "does nothing"};
+    assertThat(facts).hasText(holding);
+    assertFits(page, "control-arm", DARK, PHONE, DESK);
+  }
+
+  private void showArm(ArmState arm) {
+    Readings readings = new Readings(0.0, 0.0, List.of(), null, null, arm, null);
+    server
+        .fleet()
+        .changeRobots(
+            robots ->
+                robots.stream()
+                    .map(robot -> robot.name().equals("r2") ? withArm(robot, readings) : robot)
+                    .toList());
+  }
+
+  private static RobotView withArm(RobotView robot, Readings readings) {
+    Telemetry heard = robot.telemetry();
+    return Hall.withArm(robot)
+        .withTelemetry(
+            new Telemetry(heard.pose(), heard.battery(), readings, List.of(), heard.lastSeen()));
   }
 
   @Test
