@@ -32,8 +32,11 @@ public final class ArmControl {
   /** Radians; a joint that is so near is where it shall be. */
   static final double TOLERANCE = 0.01;
 
-  /** Radians that a joint may be behind while it turns. */
+  /** Radians that a joint may be behind while it turns, beside what it turns in {@link #DELAY}. */
   static final double MOST_BEHIND = 0.2;
+
+  /** Seconds until an arm that finds its own way obeys, and is known to. */
+  static final double DELAY = 0.1;
 
   /** Seconds that it may be so. */
   static final double STALLED_SECONDS = 1.5;
@@ -140,25 +143,29 @@ public final class ArmControl {
    */
   public ArmCommand advance(double seconds, ArmReading now, boolean mayMove) {
     reading = now;
-    motion.advance(seconds, mayMove);
+    motion.advance(seconds, mayMove, now.angles());
     if (mayMove && !steps.isEmpty()) {
       stepSeconds += seconds;
       if (isStalled(seconds)) {
         steps.clear();
-        motion.setGoal(now.angles());
+        stalledSeconds = 0;
+        motion.stand(now.angles());
         outcome = new ArmOutcome(ArmFailure.STALLED, weight);
       } else {
         advanceStep();
       }
     }
     JointTrajectory.Moment moment = motion.now();
-    return new ArmCommand(moment.angles(), moment.rates(), handClosed);
+    return new ArmCommand(moment.angles(), moment.rates(), handClosed, motion.goal(), mayMove);
   }
 
   private boolean isStalled(double seconds) {
-    boolean isBehind = error() > (motion.isStanding() ? TOLERANCE : MOST_BEHIND);
-    stalledSeconds = isBehind ? stalledSeconds + seconds : 0;
-    return stalledSeconds > STALLED_SECONDS;
+    double most =
+        motion.isStanding()
+            ? TOLERANCE
+            : MOST_BEHIND + DELAY * Math.max(arm.shoulder().maxRate(), arm.elbow().maxRate());
+    stalledSeconds = error() > most ? stalledSeconds + seconds : 0;
+    return reading.stalled() || stalledSeconds > STALLED_SECONDS;
   }
 
   private double error() {

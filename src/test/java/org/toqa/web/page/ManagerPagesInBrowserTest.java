@@ -484,7 +484,9 @@ class ManagerPagesInBrowserTest extends PagesInBrowser {
     assertThat(page.locator("#arm .links"))
         .hasAttribute("points", "0,-7.92 0,-55.42 -39.58,-55.42");
     showArm(new ArmState(new JointAngles(-Math.PI / 2, 0), 1.25, null, null));
-    String[] holding = {"-90°", "0°", "0.05 m ahead, -0.55 m to the left", "1.25 kg", "does nothing"};
+    String[] holding = {
+      "-90°", "0°", "0.05 m ahead, -0.55 m to the left", "1.25 kg", "does nothing"
+    };
     assertThat(facts).hasText(holding);
     assertFits(page, "control-arm", DARK, PHONE, DESK);
   }
