@@ -25,8 +25,11 @@ enum {
     RANGE_BYTE_US = 300, /* 38400 baud: 260 us */
 };
 
-/* Of switches 2 to 4, on port E. */
-static const int SWITCH_PINS[CHIP_SWITCHES] = {2, 3, 7};
+/* Of switches 2 to 4. */
+static const struct {
+    char port;
+    int number;
+} SWITCH_PINS[CHIP_SWITCHES] = {{'E', 2}, {'D', 3}, {'E', 7}};
 
 static avr_irq_t *port(struct board_model *board, char name, int irq)
 {
@@ -96,7 +99,8 @@ void board_model_restart(struct board_model *board)
     avr_raise_irq(port(board, 'D', IOPORT_IRQ_PIN0 + HEAT_PIN), 0);
     avr_raise_irq(port(board, 'D', IOPORT_IRQ_PIN0 + SWITCH_PIN), 0);
     for (int i = 0; i < CHIP_SWITCHES; i++) {
-        avr_raise_irq(port(board, 'E', IOPORT_IRQ_PIN0 + SWITCH_PINS[i]), 0);
+        avr_raise_irq(
+            port(board, SWITCH_PINS[i].port, IOPORT_IRQ_PIN0 + SWITCH_PINS[i].number), 0);
     }
     board_model_update(board);
     avr_cycle_timer_register_usec(board->avr, RANGE_PERIOD_US, send_range, board);
@@ -117,7 +121,7 @@ void board_model_update(struct board_model *board)
     }
     measure(board, TEMPERATURE_CHANNEL, (uint32_t)felt->temperature * MV_A_DEGREE);
     for (int i = 0; i < CHIP_SWITCHES; i++) {
-        avr_raise_irq(port(board, 'E', IOPORT_IRQ_PIN0 + SWITCH_PINS[i]),
+        avr_raise_irq(port(board, SWITCH_PINS[i].port, IOPORT_IRQ_PIN0 + SWITCH_PINS[i].number),
                       !felt->is_switch_pressed[i]);
     }
     avr_raise_irq(port(board, 'D', IOPORT_IRQ_PIN0 + HEAT_PIN), !felt->is_hot);

@@ -8,6 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "arm_board.h"
 #include "board_model.h"
 #include "eeprom_file.h"
 #include "interrupt_meter.h"
@@ -121,6 +122,7 @@ bool chip_begin(const char *hex_file, const char *eeprom_file, uint32_t hertz,
     lcd_model_begin(&lcd);
     board = (struct board_model){.avr = avr, .lcd = &lcd, .surroundings = &surroundings};
     board_model_wire(&board);
+    arm_board_wire(avr);
     drive = its_drive;
     drive->wire(avr, &rig);
     spi_master_wire(avr);
@@ -168,6 +170,7 @@ static void on_reset(void)
 {
     begin_timers();
     board_model_restart(&board);
+    arm_board_restart();
     drive->restart();
     interrupt_meter_restart();
     load_meter_restart();

@@ -4,6 +4,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "arm_board.h"
 #include "chip.h"
 #include "interrupt_meter.h"
 #include "lm629_board.h"
@@ -43,6 +44,11 @@ void world_state_write(char *line, size_t size)
     for (int i = 0; i < RIG_WHEELS; i++) {
         ADD(" counts%d=%.3f", i + 1, rig->motors[i].angle);
     }
+    for (int i = 0; i < ARM_BOARD_SERVOS; i++) {
+        ADD(" servo%d=%.6f", i + 1, arm_board.shares[i]);
+    }
+    ADD(" load_g=%" PRIu32 " grasps=%" PRIu32 " releases=%" PRIu32 " cut_pulses=%" PRIu32,
+        arm_board.load_g, arm_board.grasps, arm_board.releases, arm_board.cut_pulses);
     ADD(" overruns=%" PRIu32 " late_answers=%" PRIu32 " answer_cycles=%" PRIu32, spi_master_overruns(),
         spi_master_late_answers(), spi_master_longest_answer());
     for (size_t i = 0; i < sizeof INTERRUPTS / sizeof INTERRUPTS[0]; i++) {
@@ -115,6 +121,7 @@ static bool change(const char *what, const char *how)
         {"switch", "pressed", &surroundings->is_stop_pressed},
         {"ranges", "silent", &surroundings->is_range_board_silent},
         {"program", "hung", &surroundings->is_hung},
+        {"arm", "stuck", &arm_board.is_stuck},
     };
 
     for (size_t i = 0; i < sizeof flags / sizeof flags[0]; i++) {
@@ -125,6 +132,9 @@ static bool change(const char *what, const char *how)
     }
     if (strcmp(what, "load") == 0) {
         return load(how);
+    }
+    if (strcmp(what, "box") == 0) {
+        return sscanf(how, "%" SCNu32, &arm_board.box_g) == 1;
     }
     if (strcmp(what, "temperature") == 0) {
         return sscanf(how, "%" SCNd16, &surroundings->temperature) == 1;

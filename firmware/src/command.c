@@ -104,6 +104,38 @@ static enum answer read_settings(struct settings *settings, const uint8_t *paylo
     return answer_if(settings_are_good(settings));
 }
 
+static void read_joint(struct arm_joint_settings *joint, const uint8_t *at)
+{
+    joint->least_urad = get_i32(at);
+    joint->most_urad = get_i32(at + 4);
+    joint->rate_mrad_s = get_u16(at + 8);
+    joint->acceleration_mrad_s2 = get_u16(at + 10);
+    joint->pulse_least_us = get_u16(at + 12);
+    joint->pulse_most_us = get_u16(at + 14);
+    joint->mv_least = get_u16(at + 16);
+    joint->mv_most = get_u16(at + 18);
+}
+
+static enum answer read_arm_settings(struct arm_settings *settings, const uint8_t *payload)
+{
+    read_joint(&settings->joints[0], payload);
+    read_joint(&settings->joints[1], payload + 20);
+    settings->open_us = get_u16(payload + 40);
+    settings->closed_us = get_u16(payload + 42);
+    settings->empty_mv = get_u16(payload + 44);
+    settings->mv_a_kg = get_u16(payload + 46);
+    return answer_if(arm_settings_are_good(settings));
+}
+
+static enum answer read_arm_goal(struct arm_goal *goal, const uint8_t *payload)
+{
+    goal->urad[0] = get_i32(payload);
+    goal->urad[1] = get_i32(payload + 4);
+    goal->is_hand_closed = payload[8] == 1;
+    goal->is_onward = payload[9] == 1;
+    return answer_if(payload[8] <= 1 && payload[9] <= 1);
+}
+
 enum answer command_read(struct command *command, const uint8_t frame[FRAME_LENGTH])
 {
     const uint8_t *payload = frame + FRAME_PAYLOAD;
@@ -128,6 +160,12 @@ enum answer command_read(struct command *command, const uint8_t frame[FRAME_LENG
         return read_caption(command->as.caption, payload);
     case COMMAND_SETTINGS:
         return read_settings(&command->as.settings, payload);
+    case COMMAND_ARM_SETTINGS:
+        return read_arm_settings(&command->as.arm_settings, payload);
+    case COMMAND_ARM_MOVE:
+        return read_arm_goal(&command->as.arm_goal, payload);
+    case COMMAND_ARM_POLL:
+        return ANSWER_DONE;
     default:
         return ANSWER_UNKNOWN_KIND;
     }

@@ -5,6 +5,7 @@
 #include <stdbool.h>
 #include <stdint.h>
 
+#include "arm_settings.h"
 #include "frame.h"
 #include "pose.h"
 #include "segment.h"
@@ -19,6 +20,9 @@ enum command_kind {
     COMMAND_CLEAR = 0x04,
     COMMAND_CAPTION = 0x05,
     COMMAND_SETTINGS = 0x06,
+    COMMAND_ARM_SETTINGS = 0x07,
+    COMMAND_ARM_MOVE = 0x08,
+    COMMAND_ARM_POLL = 0x09,
 };
 
 enum answer {
@@ -30,7 +34,8 @@ enum answer {
     ANSWER_UNKNOWN_KIND = 5,
     ANSWER_NOT_CLEARED = 6,
     ANSWER_NOT_ON_PATH = 7,
-    ANSWER_DRIVES = 8,
+    ANSWER_MOVES = 8,
+    ANSWER_NO_ARM = 9,
 };
 
 enum {
@@ -55,6 +60,13 @@ struct path_segments {
     struct segment segments[MORE_SEGMENTS];
 };
 
+/* Where an arm's joints shall be. */
+struct arm_goal {
+    int32_t urad[ARM_JOINTS];
+    bool is_hand_closed;
+    bool is_onward; /* else they shall stand on the way */
+};
+
 struct command {
     enum command_kind kind;
     uint8_t sequence;
@@ -70,6 +82,8 @@ struct command {
         } clear;
         char caption[CAPTION_LENGTH];
         struct settings settings;
+        struct arm_settings arm_settings;
+        struct arm_goal arm_goal;
     } as;
 };
 

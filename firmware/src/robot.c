@@ -29,12 +29,13 @@ static void brake(struct robot *robot)
     robot->motion.twist = STANDSTILL;
     memset(&robot->motion.rates, 0, sizeof robot->motion.rates);
     segment_runner_stop(&robot->segment_runner);
+    arm_halt(&robot->arm);
     stall_begin(&robot->stall, robot->odometry.counts);
     stop_set_cause(&robot->stop, STOP_DRIVE, !drive_stop());
 }
 
 void robot_begin(struct robot *robot, enum stop_reason reason, uint16_t power_cycle,
-                 const struct settings *settings)
+                 const struct settings *settings, const struct arm_settings *arm_settings)
 {
     static const int32_t zero[BODY_WHEELS] = {0, 0, 0};
 
@@ -42,6 +43,7 @@ void robot_begin(struct robot *robot, enum stop_reason reason, uint16_t power_cy
     stop_begin(&robot->stop, reason);
     robot->settings = *settings;
     robot->wheel_scale = wheel_scale_of(settings);
+    arm_begin(&robot->arm, arm_settings);
     odometry_begin(&robot->odometry, zero, settings);
     segment_runner_begin(&robot->segment_runner);
     stall_begin(&robot->stall, zero);
@@ -56,6 +58,9 @@ static enum answer set_velocity(struct robot *robot, const struct twist *velocit
 {
     if (is_stopped(robot)) {
         return ANSWER_STOPPED;
+    }
+    if (arm_is_moving(&robot->arm) && memcmp(velocity, &STANDSTILL, sizeof STANDSTILL) != 0) {
+        return ANSWER_MOVES;
     }
     segment_runner_stop(&robot->segment_runner);
     robot->velocity_command.is_active = true;
@@ -103,6 +108,9 @@ static enum answer begin_path(struct robot *robot, const struct path_start *star
     if (first->path == robot->path) {
         return robot->segment_runner.is_active ? ANSWER_DONE : ANSWER_NOT_ON_PATH;
     }
+    if (arm_is_moving(&robot->arm)) {
+        return ANSWER_MOVES;
+    }
     if (!is_near(robot, &start->here)) {
         return ANSWER_OUT_OF_RANGE;
     }
@@ -119,6 +127,9 @@ static enum answer go_on(struct robot *robot, const struct path_segments *more)
     }
     if (!robot->segment_runner.is_active || more->path != robot->path) {
         return ANSWER_NOT_ON_PATH;
+    }
+    if (arm_is_moving(&robot->arm)) {
+        return ANSWER_MOVES;
     }
     return add_segments(robot, more);
 }
@@ -137,13 +148,41 @@ static enum answer set_settings(struct robot *robot, const struct settings *sett
         return ANSWER_DONE;
     }
     if (is_moving(robot)) {
-        return ANSWER_DRIVES;
+        return ANSWER_MOVES;
     }
     robot->settings = *settings;
     robot->wheel_scale = wheel_scale_of(settings);
     odometry_set_wheels(&robot->odometry, settings);
     segment_runner_stop(&robot->segment_runner); /* its reference is of the wheels before */
     return ANSWER_DONE;
+}
+
+static enum answer set_arm(struct robot *robot, const struct arm_settings *settings)
+{
+    if (arm_settings_are_same(settings, &robot->arm.settings)) {
+        return ANSWER_DONE;
+    }
+    if (arm_is_moving(&robot->arm)) {
+        return ANSWER_MOVES;
+    }
+    arm_begin(&robot->arm, settings);
+    return ANSWER_DONE;
+}
+
+/* A robot that drives keeps its arm still; the program has no time for both at 8 MHz. */
+static bool may_move_arm(const struct robot *robot)
+{
+    enum robot_state state = robot_state(robot);
+
+    return state == ROBOT_STANDING || state == ROBOT_PATH_STANDING;
+}
+
+static enum answer move_arm(struct robot *robot, const struct arm_goal *goal)
+{
+    if (is_stopped(robot)) {
+        return ANSWER_STOPPED;
+    }
+    return may_move_arm(robot) ? arm_move(&robot->arm, goal, robot->now_ms) : ANSWER_MOVES;
 }
 
 static enum answer execute(struct robot *robot, const struct command *command)
@@ -164,7 +203,12 @@ static enum answer execute(struct robot *robot, const struct command *command)
         return ANSWER_DONE;
     case COMMAND_SETTINGS:
         return set_settings(robot, &command->as.settings);
+    case COMMAND_ARM_SETTINGS:
+        return set_arm(robot, &command->as.arm_settings);
+    case COMMAND_ARM_MOVE:
+        return move_arm(robot, &command->as.arm_goal);
     case COMMAND_POLL:
+    case COMMAND_ARM_POLL:
         break;
     }
     return ANSWER_DONE;
@@ -180,7 +224,10 @@ void robot_handle_frame(struct robot *robot, const uint8_t frame[FRAME_LENGTH])
 
     conversation->last_frame_ms = robot->now_ms;
     stop_set_cause(&robot->stop, STOP_LINK, false);
-    if (command.kind == COMMAND_POLL && answer == ANSWER_DONE) {
+    conversation->is_of_arm =
+        command.kind == COMMAND_ARM_MOVE || command.kind == COMMAND_ARM_POLL;
+    if ((command.kind == COMMAND_POLL || command.kind == COMMAND_ARM_POLL) &&
+        answer == ANSWER_DONE) {
         return;
     }
     if (is_again) {
@@ -305,6 +352,7 @@ void robot_control_wheels(struct robot *robot)
     } else if (!had_turned && !robot->motion.has_turned) {
         stop_set_cause(&robot->stop, STOP_DRIVE, !drive_rest());
     }
+    arm_tick(&robot->arm, robot->now_ms, may_move_arm(robot));
 }
 
 enum robot_state robot_state(const struct robot *robot)

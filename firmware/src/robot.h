@@ -5,6 +5,7 @@
 #include <stdbool.h>
 #include <stdint.h>
 
+#include "arm.h"
 #include "battery.h"
 #include "command.h"
 #include "odometry.h"
@@ -45,6 +46,7 @@ struct conversation {
     uint32_t last_frame_ms; /* the last good one */
     uint8_t sequence;
     enum answer answer;
+    bool is_of_arm; /* what was asked last: the arm's status answers it */
 };
 
 struct robot {
@@ -58,6 +60,7 @@ struct robot {
     struct motion motion;
     uint16_t path; /* the number of the last one that was begun; 0 before the first */
     struct settings settings;
+    struct arm arm;
     struct wheel_scale wheel_scale;
     uint8_t missing_floor; /* bit 0 to 4: floor sensors that see no floor */
     int8_t temperature;
@@ -70,7 +73,7 @@ struct robot {
 };
 
 void robot_begin(struct robot *robot, enum stop_reason reason, uint16_t power_cycle,
-                 const struct settings *settings);
+                 const struct settings *settings, const struct arm_settings *arm_settings);
 
 /* Executes the command of a good frame. */
 void robot_handle_frame(struct robot *robot, const uint8_t frame[FRAME_LENGTH]);
@@ -78,7 +81,7 @@ void robot_handle_frame(struct robot *robot, const uint8_t frame[FRAME_LENGTH]);
 /* Every millisecond: stops the wheels at once when there is a cause. */
 void robot_update(struct robot *robot, const struct robot_inputs *inputs, uint32_t now_ms);
 
-/* Every DRIVE_PERIOD_MS: odometry and wheels. */
+/* Every DRIVE_PERIOD_MS: odometry, wheels and arm. */
 void robot_control_wheels(struct robot *robot);
 
 enum robot_state robot_state(const struct robot *robot);

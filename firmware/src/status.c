@@ -4,7 +4,8 @@
 
 #include "bytes.h"
 
-void status_write(const struct status *status, uint8_t frame[FRAME_LENGTH])
+/* What is at the same place in both. */
+static void write_common(const struct status *status, uint8_t frame[FRAME_LENGTH])
 {
     memset(frame, 0, FRAME_LENGTH);
     frame[4] = (uint8_t)status->answer;
@@ -12,6 +13,28 @@ void status_write(const struct status *status, uint8_t frame[FRAME_LENGTH])
     put_u16(frame + 6, status->stop_reasons);
     put_u16(frame + 8, status->power_cycle);
     put_u32(frame + 10, status->stamp_ms);
+    put_u16(frame + 50, status->bad_frames);
+    put_u16(frame + 52, status->lost_bytes);
+}
+
+void status_write_arm(const struct status *status, const struct arm_report *arm,
+                      uint8_t frame[FRAME_LENGTH])
+{
+    write_common(status, frame);
+    frame[14] = (uint8_t)arm->state;
+    frame[15] = arm->is_hand_closed;
+    for (uint8_t i = 0; i < ARM_JOINTS; i++) {
+        put_i32(frame + 16 + 4 * i, arm->angle_urad[i]);
+        put_i32(frame + 24 + 4 * i, arm->goal_urad[i]);
+    }
+    put_u16(frame + 32, arm->load_g);
+    frame[34] = arm->progress;
+    frame_seal(frame, ARM_STATUS_KIND, status->sequence);
+}
+
+void status_write(const struct status *status, uint8_t frame[FRAME_LENGTH])
+{
+    write_common(status, frame);
     for (uint8_t i = 0; i < BODY_WHEELS; i++) {
         put_i32(frame + 14 + 4 * i, status->counts[i]);
     }
@@ -25,8 +48,6 @@ void status_write(const struct status *status, uint8_t frame[FRAME_LENGTH])
     frame[46] = (uint8_t)(status->missing_floor | status->pressed_switches << BODY_FLOOR_SENSORS);
     frame[47] = status->queue_free;
     put_u16(frame + 48, status->segments_driven);
-    put_u16(frame + 50, status->bad_frames);
-    put_u16(frame + 52, status->lost_bytes);
     put_u16(frame + 54, status->path);
     frame[56] = status->pace;
     frame[57] = (uint8_t)status->temperature;

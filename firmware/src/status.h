@@ -4,12 +4,13 @@
 
 #include <stdint.h>
 
+#include "arm.h"
 #include "body.h"
 #include "command.h"
 #include "frame.h"
 #include "range.h"
 
-enum { STATUS_KIND = 0x80 };
+enum { STATUS_KIND = 0x80, ARM_STATUS_KIND = 0x81 };
 
 enum robot_state {
     ROBOT_STOPPED = 0,
@@ -45,5 +46,9 @@ struct status {
 };
 
 void status_write(const struct status *status, uint8_t frame[FRAME_LENGTH]);
+
+/* That of the arm: of the status, what both have in common. */
+void status_write_arm(const struct status *status, const struct arm_report *arm,
+                      uint8_t frame[FRAME_LENGTH]);
 
 #endif

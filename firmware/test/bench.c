@@ -9,6 +9,7 @@
 void bench_begin(struct bench *bench)
 {
     struct settings settings = settings_default();
+    static const struct arm_settings no_arm;
 
     memset(bench, 0, sizeof *bench);
     bench_drive_begin(&bench->rig);
@@ -16,7 +17,7 @@ void bench_begin(struct bench *bench)
     for (int i = 0; i < BODY_FLOOR_SENSORS; i++) {
         bench->inputs.floor_mv[i] = 3000;
     }
-    robot_begin(&bench->robot, STOP_POWER_UP, 1, &settings);
+    robot_begin(&bench->robot, STOP_POWER_UP, 1, &settings, &no_arm);
 }
 
 void bench_live(struct bench *bench, uint32_t ms)
@@ -120,6 +121,41 @@ enum answer bench_settings(struct bench *bench, const struct settings *settings)
         put_u16(frame + 12 + 2 * i, settings->floor_mv[i]);
     }
     return say(bench, frame, COMMAND_SETTINGS);
+}
+
+enum answer bench_arm_settings(struct bench *bench, const struct arm_settings *settings)
+{
+    uint8_t frame[FRAME_LENGTH] = {0};
+    uint8_t *at = frame + 4;
+
+    for (int i = 0; i < ARM_JOINTS; i++, at += 20) {
+        const struct arm_joint_settings *joint = &settings->joints[i];
+
+        put_i32(at, joint->least_urad);
+        put_i32(at + 4, joint->most_urad);
+        put_u16(at + 8, joint->rate_mrad_s);
+        put_u16(at + 10, joint->acceleration_mrad_s2);
+        put_u16(at + 12, joint->pulse_least_us);
+        put_u16(at + 14, joint->pulse_most_us);
+        put_u16(at + 16, joint->mv_least);
+        put_u16(at + 18, joint->mv_most);
+    }
+    put_u16(at, settings->open_us);
+    put_u16(at + 2, settings->closed_us);
+    put_u16(at + 4, settings->empty_mv);
+    put_u16(at + 6, settings->mv_a_kg);
+    return say(bench, frame, COMMAND_ARM_SETTINGS);
+}
+
+enum answer bench_arm(struct bench *bench, const struct arm_goal *goal)
+{
+    uint8_t frame[FRAME_LENGTH] = {0};
+
+    put_i32(frame + 4, goal->urad[0]);
+    put_i32(frame + 8, goal->urad[1]);
+    frame[12] = goal->is_hand_closed;
+    frame[13] = goal->is_onward;
+    return say(bench, frame, COMMAND_ARM_MOVE);
 }
 
 struct status bench_status(const struct bench *bench)

@@ -32,6 +32,8 @@ enum answer bench_segments(struct bench *bench, uint16_t path, uint16_t first, b
                            const struct segment *segments, uint8_t count);
 enum answer bench_clear(struct bench *bench, uint16_t reasons, bool by_person);
 enum answer bench_settings(struct bench *bench, const struct settings *settings);
+enum answer bench_arm_settings(struct bench *bench, const struct arm_settings *settings);
+enum answer bench_arm(struct bench *bench, const struct arm_goal *goal);
 struct status bench_status(const struct bench *bench);
 
 #endif

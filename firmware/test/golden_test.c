@@ -9,7 +9,7 @@
 #include "tests.h"
 
 struct golden {
-    char text[640];
+    char text[960];
     uint8_t frame[FRAME_LENGTH];
 };
 
@@ -68,6 +68,34 @@ static void check_segments(const struct golden *golden, const struct path_segmen
     }
 }
 
+static int64_t joint_value(const struct golden *golden, int joint, const char *key)
+{
+    char whole[32];
+
+    snprintf(whole, sizeof whole, "%s_%s", joint == 0 ? "shoulder" : "elbow", key);
+    return value(golden, whole);
+}
+
+static void check_arm_settings(const struct golden *golden, const struct arm_settings *settings)
+{
+    for (int i = 0; i < ARM_JOINTS; i++) {
+        const struct arm_joint_settings *joint = &settings->joints[i];
+
+        CHECK_EQUAL(joint_value(golden, i, "least_urad"), joint->least_urad);
+        CHECK_EQUAL(joint_value(golden, i, "most_urad"), joint->most_urad);
+        CHECK_EQUAL(joint_value(golden, i, "rate_mrad_s"), joint->rate_mrad_s);
+        CHECK_EQUAL(joint_value(golden, i, "acceleration_mrad_s2"), joint->acceleration_mrad_s2);
+        CHECK_EQUAL(joint_value(golden, i, "pulse_least_us"), joint->pulse_least_us);
+        CHECK_EQUAL(joint_value(golden, i, "pulse_most_us"), joint->pulse_most_us);
+        CHECK_EQUAL(joint_value(golden, i, "mv_least"), joint->mv_least);
+        CHECK_EQUAL(joint_value(golden, i, "mv_most"), joint->mv_most);
+    }
+    CHECK_EQUAL(value(golden, "open_us"), settings->open_us);
+    CHECK_EQUAL(value(golden, "closed_us"), settings->closed_us);
+    CHECK_EQUAL(value(golden, "empty_mv"), settings->empty_mv);
+    CHECK_EQUAL(value(golden, "mv_a_kg"), settings->mv_a_kg);
+}
+
 static void check_command(const struct golden *golden)
 {
     struct command command;
@@ -112,6 +140,20 @@ static void check_command(const struct golden *golden)
             CHECK_EQUAL(value(golden, key), command.as.settings.floor_mv[i]);
         }
         break;
+    case COMMAND_ARM_SETTINGS:
+        CHECK(is_kind(golden, "arm_settings"));
+        check_arm_settings(golden, &command.as.arm_settings);
+        break;
+    case COMMAND_ARM_MOVE:
+        CHECK(is_kind(golden, "arm_move"));
+        CHECK_EQUAL(value(golden, "shoulder_urad"), command.as.arm_goal.urad[0]);
+        CHECK_EQUAL(value(golden, "elbow_urad"), command.as.arm_goal.urad[1]);
+        CHECK_EQUAL(value(golden, "closed"), command.as.arm_goal.is_hand_closed);
+        CHECK_EQUAL(value(golden, "onward"), command.as.arm_goal.is_onward);
+        break;
+    case COMMAND_ARM_POLL:
+        CHECK(is_kind(golden, "arm_poll"));
+        break;
     case COMMAND_CAPTION:
         CHECK(is_kind(golden, "caption"));
         CHECK(memcmp(strstr(golden->text, "text=") + 5, command.as.caption, CAPTION_LENGTH) == 0);
@@ -155,6 +197,36 @@ static void check_status(const struct golden *golden)
     }
 }
 
+static void check_arm_status(const struct golden *golden)
+{
+    uint8_t frame[FRAME_LENGTH];
+    struct status status = {
+        .sequence = (uint8_t)value(golden, "sequence"),
+        .answer = (enum answer)value(golden, "answer"),
+        .state = (enum robot_state)value(golden, "state"),
+        .stop_reasons = (uint16_t)value(golden, "reasons"),
+        .power_cycle = (uint16_t)value(golden, "power_cycle"),
+        .stamp_ms = (uint32_t)value(golden, "stamp_ms"),
+        .bad_frames = (uint16_t)value(golden, "bad"),
+        .lost_bytes = (uint16_t)value(golden, "lost"),
+    };
+    struct arm_report arm = {
+        .state = (enum arm_state)value(golden, "arm"),
+        .is_hand_closed = value(golden, "closed") == 1,
+        .angle_urad = {(int32_t)value(golden, "shoulder_urad"),
+                       (int32_t)value(golden, "elbow_urad")},
+        .goal_urad = {(int32_t)value(golden, "shoulder_goal_urad"),
+                      (int32_t)value(golden, "elbow_goal_urad")},
+        .load_g = (uint16_t)value(golden, "load_g"),
+        .progress = (uint8_t)value(golden, "progress"),
+    };
+
+    status_write_arm(&status, &arm, frame);
+    for (unsigned i = 0; i < FRAME_LENGTH; i++) {
+        CHECK_EQUAL(golden->frame[i], frame[i]);
+    }
+}
+
 static bool read_golden(struct golden *golden, const char *line)
 {
     const char *bar = strchr(line, '|');
@@ -177,7 +249,7 @@ static bool read_golden(struct golden *golden, const char *line)
 
 void golden_tests(const char *file)
 {
-    char line[1024];
+    char line[1536];
     unsigned found = 0;
     FILE *stream = fopen(file, "r");
 
@@ -192,6 +264,8 @@ void golden_tests(const char *file)
         CHECK_EQUAL(!is_kind(&golden, "bad"), is_taken(&golden));
         if (is_kind(&golden, "status")) {
             check_status(&golden);
+        } else if (is_kind(&golden, "arm_status")) {
+            check_arm_status(&golden);
         } else if (!is_kind(&golden, "bad")) {
             check_command(&golden);
         }

@@ -7,6 +7,7 @@ int main(int count, char **arguments)
         fprintf(stderr, "usage: %s GOLDEN-FRAMES\n", arguments[0]);
         return 2;
     }
+    arm_tests();
     frame_tests();
     golden_tests(arguments[1]);
     kinematics_tests();

@@ -369,7 +369,7 @@ static void settings_are_taken_within_their_bounds_by_a_robot_that_stands(void)
     drive_fast(&bench);
     CHECK_EQUAL(ANSWER_DONE, bench_settings(&bench, &settings)); /* it has them */
     settings.wheel_radius_um = 50000;
-    CHECK_EQUAL(ANSWER_DRIVES, bench_settings(&bench, &settings));
+    CHECK_EQUAL(ANSWER_MOVES, bench_settings(&bench, &settings));
     bench_live_polled(&bench, 1000);
     CHECK_EQUAL(ANSWER_DONE, bench_settings(&bench, &settings));
     settings.wheel_radius_um = SETTINGS_MOST_WHEEL_RADIUS_UM + 1;

@@ -1,6 +1,7 @@
 #ifndef TESTS_H
 #define TESTS_H
 
+void arm_tests(void);
 void frame_tests(void);
 void golden_tests(const char *file);
 void kinematics_tests(void);

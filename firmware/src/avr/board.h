@@ -8,7 +8,10 @@
  *   PD2    USART1 RXD: range sensors, 38400 baud
  *   PD4-7  display D4-D7                     PG0 RS   PG1 E
  *   PD0    motor drivers too hot, active low PD1  stop switch, active low
- *   PE2-3  switches 2 and 3, PE7  switch 4, active low
+ *   PD3    switch 3, PE2  switch 2, PE7  switch 4, active low
+ *   PE3    OC3A: pulses of the arm's servos  PG2-3  which of them: 74HC4052, that of the shoulder,
+ *          of the elbow, of the hand, none; its other half leads to PF7 the potentiometers of
+ *          shoulder and elbow, nothing, and the load sensor
  *   PE4-6  PWM drive: encoder A (INT4-6)
  *   PF0    battery, 1:5                      PF1-5  floor sensors
  *   PF6    temperature of the motor drivers, 10 mV a degree Celsius (as of an LM35)
@@ -50,13 +53,23 @@
 #define SWITCH_PORT PORTE
 #define SWITCH_PIN PINE
 #define SWITCH_2 _BV(PE2)
-#define SWITCH_3 _BV(PE3)
 #define SWITCH_4 _BV(PE7)
+#define SWITCH_3_PORT PORTD
+#define SWITCH_3_PIN PIND
+#define SWITCH_3 _BV(PD3)
+
+#define ARM_PULSE_DDR DDRE
+#define ARM_PULSE _BV(PE3)
+#define ARM_SELECT_PORT PORTG
+#define ARM_SELECT_DDR DDRG
+#define ARM_SELECT_0 PG2
+#define ARM_SELECT (_BV(PG2) | _BV(PG3))
 
 #define BATTERY_CHANNEL 0
 #define BATTERY_DIVIDER 5
 #define FLOOR_CHANNEL 1
 #define TEMPERATURE_CHANNEL 6
+#define ARM_ADC_CHANNEL 7
 #define MV_A_DEGREE 10
 
 #define ADC_REFERENCE_MV 5000

@@ -4,6 +4,7 @@
 #include <avr/sleep.h>
 #include <avr/wdt.h>
 
+#include "arm_bus.h"
 #include "clock.h"
 #include "drive.h"
 #include "lcd.h"
@@ -42,7 +43,13 @@ static void write_status(uint8_t frame[FRAME_LENGTH])
     robot_fill_status(&robot, &status);
     status.bad_frames = parser.bad;
     status.lost_bytes = spi_slave_lost_bytes();
-    status_write(&status, frame);
+    if (robot.conversation.is_of_arm) {
+        struct arm_report arm = arm_report_of(&robot.arm);
+
+        status_write_arm(&status, &arm, frame);
+    } else {
+        status_write(&status, frame);
+    }
 }
 
 static void publish_status(void)
@@ -89,6 +96,7 @@ static void run_millisecond(uint32_t now_ms)
     static uint8_t since_panel_ms;
 
     sensors_sample(&inputs);
+    arm_bus_step(&robot.arm);
     robot_update(&robot, &inputs, now_ms);
     if (advance_period(&since_drive_ms, DRIVE_PERIOD_MS)) {
         robot_control_wheels(&robot);
@@ -100,7 +108,7 @@ static void run_millisecond(uint32_t now_ms)
     }
     lcd_step(&panel);
     if ((uint8_t)now_ms % STORE_PERIOD_MS == 0) {
-        settings_store_step(&robot.settings);
+        settings_store_step(&robot.settings, &robot.arm.settings);
     }
 }
 
@@ -108,15 +116,18 @@ static void begin(void)
 {
     uint8_t first[FRAME_LENGTH];
     enum stop_reason reason = reason_of_start();
-    struct settings settings = settings_store_read();
+    struct settings settings;
+    struct arm_settings arm_settings;
 
+    settings_store_read(&settings, &arm_settings);
     wdt_enable(WDTO_250MS);
     wdt_reset();
     lcd_begin();
     sensors_begin(&inputs);
+    arm_bus_begin();
     psd_uart_begin();
     frame_parser_begin(&parser);
-    robot_begin(&robot, reason, power_cycle_count(), &settings);
+    robot_begin(&robot, reason, power_cycle_count(), &settings, &arm_settings);
     panel_write(&panel, &robot);
     write_status(first);
     spi_slave_begin(first);

@@ -78,7 +78,15 @@ final class ChassisFactory {
       throws IOException {
     String caption = config.name() + " " + config.address().getHostAddress();
     try {
-      return new FirmwareChassis(transport, caption, start, hasRangeSensors, settings, nanos);
+      ArmConfig arm = config.arm();
+      return new FirmwareChassis(
+          transport,
+          caption,
+          start,
+          hasRangeSensors,
+          settings,
+          arm == null ? null : arm.settings(),
+          nanos);
     } catch (IOException e) {
       transport.close();
       throw e;

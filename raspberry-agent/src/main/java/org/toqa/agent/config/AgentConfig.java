@@ -237,11 +237,6 @@ public record AgentConfig(
     if (config.avoidance == Avoidance.FOUR_AGENTS) {
       checkFourAgents(file, config);
     }
-    if (config.arm != null && !(config.chassis instanceof ChassisConfig.Simulated)) {
-      throw new ConfigException(
-          "%s: \"arm\" needs a chassis of the type simulated; remove it, or the robot's arm would be promised and not move."
-              .formatted(file));
-    }
     // the body is asked last, so that mistakes are told in the order of the keys
     top.number("maxSpeed", config.limits.speed(), 0.01, config.chassis.mostSpeed());
     top.number("maxTurnRate", config.limits.turnRate(), 0.01, config.chassis.mostTurnRate());

@@ -10,11 +10,13 @@ import java.util.stream.Collectors;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
+import org.toqa.agent.chassis.ArmDrive;
 import org.toqa.agent.chassis.Chassis;
 import org.toqa.agent.chassis.ChassisCommand;
 import org.toqa.agent.chassis.ChassisCommand.DrivePath;
 import org.toqa.agent.chassis.ChassisCommand.MoveAt;
 import org.toqa.agent.chassis.ChassisReading;
+import org.toqa.agent.firmware.FirmwareCommand.ArmMeasures;
 import org.toqa.agent.firmware.FirmwareCommand.Caption;
 import org.toqa.agent.firmware.FirmwareCommand.Clear;
 import org.toqa.agent.firmware.FirmwareCommand.Poll;
@@ -67,8 +69,8 @@ public final class FirmwareChassis implements Chassis {
   private static final Fault NO_SETTINGS =
       new Fault(
           "CHASSIS_SETTINGS",
-          "The robot's microcontroller does not take the measures of its wheels: its firmware is"
-              + " another version than the daemon.");
+          "The robot's microcontroller does not take the measures of its wheels or its arm: its"
+              + " firmware is another version than the daemon.");
 
   private static final Fault BLIND =
       new Fault(
@@ -82,6 +84,7 @@ public final class FirmwareChassis implements Chassis {
   private final boolean hasRangeSensors;
   private final BatteryGauge battery = new BatteryGauge();
   private final ThreeWheelKinematics wheels;
+  private final @Nullable FirmwareArm arm;
   private final SettingsSender settings;
   private final PathSender paths = new PathSender();
   private FirmwareStatus status;
@@ -119,6 +122,7 @@ public final class FirmwareChassis implements Chassis {
    *     somebody has put it there
    * @param hasRangeSensors whether it must see to drive; false: what it says of ranges is ignored
    * @param settings of this robot
+   * @param armSettings of its arm; null: it has none
    * @param nanos now, nanoseconds on the daemon's monotonic clock
    * @throws IOException if no microcontroller answers
    */
@@ -128,17 +132,38 @@ public final class FirmwareChassis implements Chassis {
       @Nullable Pose start,
       boolean hasRangeSensors,
       FirmwareSettings settings,
+      @Nullable ArmSettings armSettings,
       long nanos)
       throws IOException {
     this.transport = transport;
     this.wheels = settings.wheels();
-    this.settings = new SettingsSender(settings);
+    this.arm = armSettings == null ? null : new FirmwareArm(armSettings, transport);
+    this.settings =
+        new SettingsSender(
+            armSettings == null
+                ? List.of(new Settings(settings))
+                : List.of(new Settings(settings), new ArmMeasures(armSettings)));
     this.caption = caption;
     this.start = start;
     this.hasRangeSensors = hasRangeSensors;
     status = awaitFirstStatus(nanos);
     battery.update(status.batteryVolts(), 0);
     sequence = status.sequence();
+    if (arm != null) {
+      awaitArm(arm, nanos);
+    }
+  }
+
+  /** Its measures are sent, and its sensors read. */
+  private void awaitArm(FirmwareArm mounted, long nanos) throws IOException {
+    for (int i = 0; i < FIRST_EXCHANGES && !mounted.isKnown(); i++) {
+      exchange(MoveAt.STANDSTILL, nanos);
+    }
+    if (!mounted.isKnown()) {
+      throw new IOException(
+          "The robot's microcontroller tells nothing of its arm: check that its firmware is as new"
+              + " as the daemon, or remove \"arm\".");
+    }
   }
 
   private FirmwareStatus awaitFirstStatus(long nanos) throws IOException {
@@ -154,16 +179,18 @@ public final class FirmwareChassis implements Chassis {
 
   @Override
   public ChassisReading exchange(ChassisCommand wanted, long nanos) {
-    FirmwareCommand command = nextCommand(wanted);
+    FirmwareCommand command = nextCommand(wanted, nanos);
     if (isAtRest(command) && nanos - exchangedNanos < STANDSTILL_INTERVAL_NANOS) {
       return reading();
     }
     exchangedNanos = nanos;
     lastCommand = command;
     numberNext(command);
+    if (arm != null) {
+      arm.recordSent(command);
+    }
     try {
-      FrameCodec.decode(transport.exchange(FrameCodec.encode(command, sequence), nanos))
-          .ifPresentOrElse(this::update, () -> unanswered++);
+      take(transport.exchange(FrameCodec.encode(command, sequence), nanos));
     } catch (IOException e) {
       if (unanswered++ == 0) {
         log.warn("The robot's microcontroller cannot be reached: {}", e.getMessage());
@@ -172,6 +199,24 @@ public final class FirmwareChassis implements Chassis {
     quality.recordExchange(unanswered == 0);
     logFailures(nanos);
     return reading();
+  }
+
+  private void take(byte[] answer) {
+    Optional<FirmwareStatus> ofWheels = FrameCodec.decode(answer);
+    Optional<ArmStatus> ofArm = FrameCodec.decodeArm(answer);
+    if (ofWheels.isPresent()) {
+      update(ofWheels.get());
+    } else if (arm != null && ofArm.isPresent()) {
+      unanswered = 0;
+      arm.update(ofArm.get());
+    } else {
+      unanswered++;
+    }
+  }
+
+  @Override
+  public Optional<ArmDrive> arm() {
+    return Optional.ofNullable(arm);
   }
 
   /** A clear that is sent again keeps its number. */
@@ -185,7 +230,7 @@ public final class FirmwareChassis implements Chassis {
       return;
     }
     int next = (sequence + 1) % FrameCodec.SEQUENCES;
-    sequence = command instanceof Settings ? settings.sequence(next) : next;
+    sequence = settings.isOfThem(command) ? settings.sequence(next) : next;
     if (command instanceof Clear clear && clear.byPerson()) {
       pendingClear = new PendingClear(clear, sequence, status.powerCycle(), 1);
     }
@@ -206,11 +251,17 @@ public final class FirmwareChassis implements Chassis {
   }
 
   private boolean isAtRest(FirmwareCommand command) {
-    return command.equals(STANDSTILL)
-        && command.equals(lastCommand)
+    return isStandstill(command)
+        && isStandstill(lastCommand)
+        && (arm == null || !arm.isBusy())
         && unanswered == 0
         && settings.isTaken(status)
         && reading().isStanding();
+  }
+
+  /** Also what is said of an arm that does nothing. */
+  private static boolean isStandstill(FirmwareCommand command) {
+    return command.equals(STANDSTILL) || command.isOfArm();
   }
 
   @Override
@@ -223,7 +274,7 @@ public final class FirmwareChassis implements Chassis {
     transport.close();
   }
 
-  private FirmwareCommand nextCommand(ChassisCommand wanted) {
+  private FirmwareCommand nextCommand(ChassisCommand wanted, long nanos) {
     PendingClear pending = pendingClear;
     if (pending != null && pending.sends() < CLEAR_SENDS) {
       return pending.clear();
@@ -250,6 +301,12 @@ public final class FirmwareChassis implements Chassis {
     if (!isCaptionSent) {
       isCaptionSent = true;
       return new Caption(caption);
+    }
+    if (arm != null) {
+      Optional<FirmwareCommand> ofArm = arm.next(status.isMoving(), nanos);
+      if (ofArm.isPresent()) {
+        return ofArm.get();
+      }
     }
     return switch (wanted) {
       case MoveAt(Twist velocity) -> new Velocity(velocity);

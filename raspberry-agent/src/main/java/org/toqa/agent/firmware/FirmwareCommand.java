@@ -2,6 +2,7 @@ package org.toqa.agent.firmware;
 
 import java.util.List;
 import java.util.Set;
+import org.toqa.arm.JointAngles;
 import org.toqa.geometry.Pose;
 import org.toqa.geometry.Twist;
 import org.toqa.motion.Segment;
@@ -83,4 +84,24 @@ public sealed interface FirmwareCommand {
 
   /** What differs from robot to robot. */
   record Settings(FirmwareSettings settings) implements FirmwareCommand {}
+
+  /** What differs from arm to arm. */
+  record ArmMeasures(ArmSettings settings) implements FirmwareCommand {}
+
+  /**
+   * Bring the arm's joints there, for the next 200 ms.
+   *
+   * @param goal within the limits of the joints
+   * @param handClosed whether the hand is to be closed
+   * @param onward false: slow down on the way, and stand there
+   */
+  record ArmMove(JointAngles goal, boolean handClosed, boolean onward) implements FirmwareCommand {}
+
+  /** Asks how the arm is. */
+  record ArmPoll() implements FirmwareCommand {}
+
+  /** Whether the status of the arm answers it. */
+  default boolean isOfArm() {
+    return this instanceof ArmMove || this instanceof ArmPoll;
+  }
 }

@@ -57,7 +57,8 @@ public record FirmwareStatus(
     UNKNOWN_KIND,
     NOT_CLEARED,
     NOT_ON_PATH,
-    DRIVES
+    MOVES,
+    NO_ARM
   }
 
   /** In the order of the codes; those of a path are while it drives one by itself. */
@@ -72,6 +73,11 @@ public record FirmwareStatus(
   /** Whether it drives by itself, or stands at the end of what it has to drive. */
   public boolean isOnPath() {
     return state == State.PATH_STANDING || state == State.PATH_DRIVING;
+  }
+
+  /** Whether its wheels turn, or are told to. */
+  boolean isMoving() {
+    return state == State.DRIVING || state == State.PATH_DRIVING;
   }
 
   public FirmwareStatus {

@@ -6,6 +6,10 @@ import java.nio.charset.StandardCharsets;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.Stream;
+import org.toqa.agent.firmware.ArmSettings.JointWiring;
+import org.toqa.agent.firmware.FirmwareCommand.ArmMeasures;
+import org.toqa.agent.firmware.FirmwareCommand.ArmMove;
+import org.toqa.agent.firmware.FirmwareCommand.ArmPoll;
 import org.toqa.agent.firmware.FirmwareCommand.Caption;
 import org.toqa.agent.firmware.FirmwareCommand.Clear;
 import org.toqa.agent.firmware.FirmwareCommand.Path;
@@ -15,6 +19,8 @@ import org.toqa.agent.firmware.FirmwareCommand.Settings;
 import org.toqa.agent.firmware.FirmwareCommand.Velocity;
 import org.toqa.agent.firmware.FirmwareStatus.Answer;
 import org.toqa.agent.firmware.FirmwareStatus.State;
+import org.toqa.arm.JointAngles;
+import org.toqa.arm.JointLimits;
 import org.toqa.avoidance.RangeSensors;
 import org.toqa.geometry.Pose;
 import org.toqa.motion.Segment;
@@ -31,6 +37,7 @@ public final class FrameCodec {
   private static final short SYNC = 0x5AA5;
   private static final int CRC_OFFSET = 62;
   private static final int STATUS_KIND = 0x80;
+  private static final int ARM_STATUS_KIND = 0x81;
 
   /** What a range sensor that sees nothing tells; more than this is no distance. */
   private static final int FARTHEST_MILLIMETRES = (int) Math.round(1_000 * RangeSensors.FARTHEST);
@@ -50,6 +57,7 @@ public final class FrameCodec {
   private static final double MAX_ACCELERATION = 50;
   private static final double PACE_UNITS = 1 << 15;
   private static final double STATUS_PACE_UNITS = 255;
+  private static final double ARM_PROGRESS_UNITS = 255;
 
   private FrameCodec() {}
 
@@ -75,6 +83,14 @@ public final class FrameCodec {
           frame.putShort((short) StopReason.bits(reasons)).put((byte) (byPerson ? 1 : 0));
       case Caption(String text) -> frame.put(caption(text));
       case Settings(FirmwareSettings settings) -> putSettings(frame, settings);
+      case ArmMeasures(ArmSettings settings) -> putArmSettings(frame, settings);
+      case ArmMove(JointAngles goal, boolean handClosed, boolean onward) ->
+          frame
+              .putInt((int) Math.round(goal.shoulder() * 1e6))
+              .putInt((int) Math.round(goal.elbow() * 1e6))
+              .put((byte) (handClosed ? 1 : 0))
+              .put((byte) (onward ? 1 : 0));
+      case ArmPoll _ -> {}
     }
     return frame.putShort(CRC_OFFSET, (short) Crc16.of(frame.array(), CRC_OFFSET)).array();
   }
@@ -126,6 +142,27 @@ public final class FrameCodec {
             Short.toUnsignedInt(frame.getShort(52))));
   }
 
+  /** Nothing when the bytes are no good status of an arm. */
+  static Optional<ArmStatus> decodeArm(byte[] bytes) {
+    if (!isIntact(bytes)) {
+      return Optional.empty();
+    }
+    ByteBuffer frame = ByteBuffer.wrap(bytes).order(ByteOrder.LITTLE_ENDIAN);
+    int state = frame.get(14);
+    if (Byte.toUnsignedInt(frame.get(2)) != ARM_STATUS_KIND
+        || !isCode(state, ArmStatus.State.values())) {
+      return Optional.empty();
+    }
+    return Optional.of(
+        new ArmStatus(
+            ArmStatus.State.values()[state],
+            frame.get(15) != 0,
+            new JointAngles(frame.getInt(16) / 1e6, frame.getInt(20) / 1e6),
+            new JointAngles(frame.getInt(24) / 1e6, frame.getInt(28) / 1e6),
+            Short.toUnsignedInt(frame.getShort(32)) / 1e3,
+            Byte.toUnsignedInt(frame.get(34)) / ARM_PROGRESS_UNITS));
+  }
+
   private static void putPath(ByteBuffer frame, Path path) {
     Pose start = path.start();
     frame
@@ -156,6 +193,31 @@ public final class FrameCodec {
     settings.floorVolts().forEach(volts -> frame.putShort((short) Math.round(volts * 1e3)));
   }
 
+  private static void putArmSettings(ByteBuffer frame, ArmSettings settings) {
+    putJoint(frame, settings.arm().shoulder(), settings.shoulder());
+    putJoint(frame, settings.arm().elbow(), settings.elbow());
+    frame
+        .putShort((short) Math.round(settings.openPulse()))
+        .putShort((short) Math.round(settings.closedPulse()))
+        .putShort((short) Math.round(settings.emptyVolts() * 1e3))
+        .putShort((short) Math.round(settings.voltsPerKilogram() * 1e3));
+  }
+
+  /** What is faster than the microcontroller takes is slowed down. */
+  private static void putJoint(ByteBuffer frame, JointLimits joint, JointWiring wiring) {
+    double rate = Math.min(joint.maxRate(), ArmSettings.MOST_RATE);
+    double acceleration = Math.min(joint.maxAcceleration(), ArmSettings.MOST_ACCELERATION);
+    frame
+        .putInt((int) Math.round(joint.least() * 1e6))
+        .putInt((int) Math.round(joint.most() * 1e6))
+        .putShort((short) Math.round(rate * 1e3))
+        .putShort((short) Math.round(acceleration * 1e3))
+        .putShort((short) Math.round(wiring.leastPulse()))
+        .putShort((short) Math.round(wiring.mostPulse()))
+        .putShort((short) Math.round(wiring.leastVolts() * 1e3))
+        .putShort((short) Math.round(wiring.mostVolts() * 1e3));
+  }
+
   private static short thousandths(double acceleration) {
     return (short) Math.round(Math.clamp(acceleration, MIN_ACCELERATION, MAX_ACCELERATION) * 1e3);
   }
@@ -169,6 +231,9 @@ public final class FrameCodec {
       case Clear _ -> 4;
       case Caption _ -> 5;
       case Settings _ -> 6;
+      case ArmMeasures _ -> 7;
+      case ArmMove _ -> 8;
+      case ArmPoll _ -> 9;
     };
   }
 

@@ -14,6 +14,13 @@ public interface FrameTransport extends AutoCloseable {
    */
   byte[] exchange(byte[] frame, long nanos) throws IOException;
 
+  /**
+   * Tells hardware that is simulated what its arm will grasp.
+   *
+   * @param kilograms 0 or more
+   */
+  default void expectLoad(double kilograms) {}
+
   @Override
   void close();
 }

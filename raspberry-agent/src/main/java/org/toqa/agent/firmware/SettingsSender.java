@@ -1,33 +1,36 @@
 package org.toqa.agent.firmware;
 
+import java.util.List;
 import java.util.Optional;
-import org.toqa.agent.firmware.FirmwareCommand.Settings;
 import org.toqa.agent.firmware.FirmwareCommand.Velocity;
 import org.toqa.agent.firmware.FirmwareStatus.Answer;
-import org.toqa.agent.firmware.FirmwareStatus.State;
 import org.toqa.geometry.Twist;
 
 /**
- * Brings the settings to the microcontroller, again after each of its starts. Nothing else is
- * driven before it has answered that it has them: by other wheels it would drive elsewhere.
+ * Brings the settings of robot and arm to the microcontroller, again after each of its starts.
+ * Nothing else is driven before it has answered that it has them: by other wheels it would drive
+ * elsewhere.
  */
 final class SettingsSender {
 
   /** A second; by then a microcontroller that takes them has said so. */
   private static final int MOST_SENDS = 50;
 
-  private final FirmwareSettings settings;
-  private int takenCycle = -1;
+  private final List<FirmwareCommand> settings;
+  private int taken;
   private int askedCycle = -1;
   private int sentSequence = -1;
   private int sends;
 
-  SettingsSender(FirmwareSettings settings) {
-    this.settings = settings;
+  /**
+   * @param settings in the order in which they are sent
+   */
+  SettingsSender(List<FirmwareCommand> settings) {
+    this.settings = List.copyOf(settings);
   }
 
   boolean isTaken(FirmwareStatus status) {
-    return status.powerCycle() == takenCycle;
+    return status.powerCycle() == askedCycle && taken == settings.size();
   }
 
   /** What must be sent first; empty once the microcontroller has the settings. */
@@ -37,11 +40,16 @@ final class SettingsSender {
     }
     if (status.powerCycle() != askedCycle) {
       askedCycle = status.powerCycle();
+      taken = 0;
       sentSequence = -1;
       sends = 0;
     }
-    boolean isMoving = status.state() == State.DRIVING || status.state() == State.PATH_DRIVING;
-    return Optional.of(isMoving ? new Velocity(Twist.ZERO) : new Settings(settings));
+    return Optional.of(status.isMoving() ? new Velocity(Twist.ZERO) : settings.get(taken));
+  }
+
+  /** Whether this is of them. */
+  boolean isOfThem(FirmwareCommand command) {
+    return settings.contains(command);
   }
 
   /**
@@ -63,7 +71,7 @@ final class SettingsSender {
     }
     sentSequence = -1;
     if (status.answer() == Answer.DONE) {
-      takenCycle = status.powerCycle();
+      taken++;
       sends = 0;
     }
   }

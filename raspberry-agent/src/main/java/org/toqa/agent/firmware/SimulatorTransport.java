@@ -7,7 +7,10 @@ import java.net.UnixDomainSocketAddress;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.nio.channels.SocketChannel;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
 
 /**
  * To the simulated microcontroller of {@code firmware/sim} over its Unix socket. Until the end of
@@ -15,6 +18,8 @@ import java.nio.file.Path;
  * or less.
  */
 public final class SimulatorTransport implements FrameTransport {
+
+  private static final Logger log = LoggerFactory.getLogger(SimulatorTransport.class);
 
   /**
    * The pause between exchanges that the microcontroller needs to answer in the next one, and an
@@ -76,6 +81,21 @@ public final class SimulatorTransport implements FrameTransport {
       channel.write(request);
     }
     return read(frame.length);
+  }
+
+  @Override
+  public void expectLoad(double kilograms) {
+    byte[] order =
+        "Sbox %d\n".formatted(Math.round(1_000 * kilograms)).getBytes(StandardCharsets.US_ASCII);
+    ByteBuffer request = ByteBuffer.wrap(order);
+    try {
+      while (request.hasRemaining()) {
+        channel.write(request);
+      }
+      read("ok\n".length());
+    } catch (IOException e) {
+      log.warn("The simulated microcontroller takes no box: {}", e.getMessage());
+    }
   }
 
   private byte[] read(int length) throws IOException {

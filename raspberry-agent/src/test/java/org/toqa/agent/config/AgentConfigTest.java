@@ -20,6 +20,8 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.toqa.agent.EndedCommand;
 import org.toqa.agent.chassis.SimulatedBattery;
 import org.toqa.agent.drive.MotionLimits;
+import org.toqa.agent.firmware.ArmSettings;
+import org.toqa.agent.firmware.ArmSettings.JointWiring;
 import org.toqa.agent.firmware.FirmwareSettings;
 import org.toqa.formation.Gains;
 import org.toqa.formation.NonHolonomicLaw;
@@ -216,6 +218,10 @@ class AgentConfigTest {
         "{upperLink: 0} | \"arm.upperLink\" is 0; it must be a number from 0.02 to 10.",
         "{shoulder: {least: 100, most: 50}} | \"arm.shoulder.most\" is 50; it must be a number from 101 to 360.",
         "{elbow: {least: -90, most: 90}, rest: {elbow: 91}} | \"arm.rest.elbow\" is 91; it must be a number from -90 to 90.",
+        "{shoulder: {pulses: [500, 550]}} | \"arm.shoulder.pulses\" is [500.0, 550.0]; it must be two numbers at least 100.0 apart.",
+        "{elbow: {volts: [1, 6]}} | \"arm.elbow.volts\" is [1, 6]; it must be a list of 2 numbers from 0 to 5.",
+        "{hand: {openPulse: 3000}} | \"arm.hand.openPulse\" is 3000; it must be a number from 400 to 2600.",
+        "{loadSensor: {voltsPerKilogram: 0}} | \"arm.loadSensor.voltsPerKilogram\" is 0; it must be a number from 0.1 to 5.",
         "{lenght: 1} | there is no key \"arm.lenght\"; did you mean \"arm.",
         "5 | \"arm\" is 5; it must be keys of its own, indented below it.",
       })
@@ -226,10 +232,18 @@ class AgentConfigTest {
   }
 
   @Test
-  void armNeedsABodyThatMovesIt() throws IOException {
-    Path file = file(withArm("{}").replace("type: simulated", "type: spi"));
-    ConfigException e = assertThrows(ConfigException.class, () -> AgentConfig.read(file));
-    assertTrue(String.valueOf(e.getMessage()).contains("\"arm\" needs a chassis"), e.getMessage());
+  void microcontrollerMovesAnArmThatIsWiredAsIsSaid() throws ConfigException, IOException {
+    String arm =
+        "{elbow: {pulses: [2400, 600], volts: [4.5, 0.5]}, hand: {openPulse: 900},"
+            + " loadSensor: {emptyVolts: 1}}";
+    ArmConfig read =
+        Objects.requireNonNull(
+            AgentConfig.read(file(withArm(arm).replace("type: simulated", "type: spi"))).arm());
+    ArmSettings settings = read.settings();
+    assertEquals(JointWiring.DEFAULT, settings.shoulder());
+    assertEquals(new JointWiring(2_400, 600, 4.5, 0.5), settings.elbow());
+    assertEquals(900, settings.openPulse());
+    assertEquals(1, settings.emptyVolts());
   }
 
   private static String withArm(String arm) {

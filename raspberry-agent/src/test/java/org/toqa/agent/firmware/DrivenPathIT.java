@@ -147,7 +147,7 @@ class DrivenPathIT {
 
   private Chassis chassis(FrameTransport transport) throws IOException {
     Chassis chassis =
-        new FirmwareChassis(transport, "r1", null, true, FirmwareSettings.DEFAULT, nanos);
+        new FirmwareChassis(transport, "r1", null, true, FirmwareSettings.DEFAULT, null, nanos);
     for (int i = 0; i < 20; i++) {
       chassis.exchange(ChassisCommand.MoveAt.STANDSTILL, nanos += TICK);
     }

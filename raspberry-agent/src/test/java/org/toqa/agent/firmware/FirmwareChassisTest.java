@@ -39,7 +39,7 @@ class FirmwareChassisTest {
   @BeforeEach
   void findMicrocontroller() throws IOException {
     answer = sealed(GoldenFrame.of("status").get(1), 5, (byte) 1); // at rest
-    chassis = new FirmwareChassis(transport(), "r1", null, true, FirmwareSettings.DEFAULT, 0);
+    chassis = new FirmwareChassis(transport(), "r1", null, true, FirmwareSettings.DEFAULT, null, 0);
     tick(Twist.ZERO, 11);
     sent.clear();
   }
@@ -131,7 +131,7 @@ class FirmwareChassisTest {
   void bodyWithoutRangeSensorsDrivesWithoutThem() throws IOException {
     answer = withRange(2, 65_535);
     try (FirmwareChassis without =
-        new FirmwareChassis(transport(), "r1", null, false, FirmwareSettings.DEFAULT, 0)) {
+        new FirmwareChassis(transport(), "r1", null, false, FirmwareSettings.DEFAULT, null, 0)) {
       ChassisReading reading = without.exchange(FORWARD, TICK);
       assertEquals(List.of(), reading.ranges());
       assertEquals(List.of(), reading.faults());

@@ -14,6 +14,7 @@ import org.toqa.agent.chassis.Chassis;
 import org.toqa.agent.config.ChassisConfig;
 import org.toqa.agent.drive.MotionLimits;
 import org.toqa.agent.drive.PaceLimits;
+import org.toqa.arm.ArmReading;
 import org.toqa.motion.Odometry;
 import org.toqa.motion.ThreeWheelKinematics;
 import org.toqa.motion.Trajectory;
@@ -45,6 +46,20 @@ class FirmwareConstantsTest {
     assertSetting(FirmwareSettings.MOST_FLOOR_VOLTS, "MOST_FLOOR_MV", 1e3);
     assertSetting(FirmwareSettings.FLOOR_VOLTS, "FLOOR_MV", 1e3);
     assertEquals(FirmwareSettings.FLOOR_SENSORS, constant("body.h", "BODY_FLOOR_SENSORS"));
+  }
+
+  @Test
+  void armHasTheSameBounds() throws IOException {
+    String file = "arm_settings.h";
+    assertEquals(ArmSettings.SHORTEST_PULSE, constant(file, "ARM_LEAST_PULSE_US"));
+    assertEquals(ArmSettings.LONGEST_PULSE, constant(file, "ARM_MOST_PULSE_US"));
+    assertEquals(ArmSettings.LEAST_PULSES_APART, constant(file, "ARM_LEAST_PULSES_US"));
+    assertEquals(ArmSettings.MOST_VOLTS, constant(file, "ARM_MOST_MV") / 1e3);
+    assertEquals(ArmSettings.LEAST_VOLTS_APART, constant(file, "ARM_LEAST_SPAN_MV") / 1e3);
+    assertEquals(ArmSettings.LEAST_VOLTS_PER_KILOGRAM, constant(file, "ARM_LEAST_MV_A_KG") / 1e3);
+    assertEquals(ArmSettings.MOST_RATE, constant(file, "ARM_MOST_RATE") / 1e3);
+    assertEquals(ArmReading.LEAST_LOAD, constant("arm.h", "ARM_LEAST_LOAD_G") / 1e3);
+    assertTrue(constant(file, "ARM_MOST_ANGLE_URAD") / 1e6 >= TURN);
   }
 
   private static void assertSetting(double expected, String name, double units) throws IOException {

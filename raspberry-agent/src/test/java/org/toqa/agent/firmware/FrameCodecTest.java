@@ -11,6 +11,10 @@ import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
+import org.toqa.agent.firmware.ArmSettings.JointWiring;
+import org.toqa.agent.firmware.FirmwareCommand.ArmMeasures;
+import org.toqa.agent.firmware.FirmwareCommand.ArmMove;
+import org.toqa.agent.firmware.FirmwareCommand.ArmPoll;
 import org.toqa.agent.firmware.FirmwareCommand.Caption;
 import org.toqa.agent.firmware.FirmwareCommand.Clear;
 import org.toqa.agent.firmware.FirmwareCommand.Path;
@@ -18,6 +22,9 @@ import org.toqa.agent.firmware.FirmwareCommand.Poll;
 import org.toqa.agent.firmware.FirmwareCommand.Segments;
 import org.toqa.agent.firmware.FirmwareCommand.Settings;
 import org.toqa.agent.firmware.FirmwareCommand.Velocity;
+import org.toqa.arm.Arm;
+import org.toqa.arm.JointAngles;
+import org.toqa.arm.JointLimits;
 import org.toqa.geometry.Pose;
 import org.toqa.geometry.Twist;
 import org.toqa.motion.Segment;
@@ -27,7 +34,7 @@ import org.toqa.motion.ThreeWheelKinematics;
 class FrameCodecTest {
 
   static Stream<GoldenFrame> commands() throws IOException {
-    return GoldenFrame.all().filter(g -> !g.kind().equals("status") && !g.kind().equals("bad"));
+    return GoldenFrame.all().filter(g -> !g.kind().endsWith("status") && !g.kind().equals("bad"));
   }
 
   static Stream<GoldenFrame> statuses() throws IOException {
@@ -80,11 +87,75 @@ class FrameCodecTest {
                       IntStream.rangeClosed(1, FirmwareSettings.FLOOR_SENSORS)
                           .mapToObj(i -> golden.number("floor" + i + "_mv") / 1e3)
                           .toList()));
+          case "arm_settings" -> new ArmMeasures(armSettings(golden));
+          case "arm_move" ->
+              new ArmMove(
+                  new JointAngles(
+                      golden.millionths("shoulder_urad"), golden.millionths("elbow_urad")),
+                  golden.number("closed") == 1,
+                  golden.number("onward") == 1);
+          case "arm_poll" -> new ArmPoll();
           case "caption" -> new Caption(golden.text("text"));
           default -> throw new IllegalArgumentException("What is a " + golden.kind() + "?");
         };
 
     assertArrayEquals(golden.frame(), FrameCodec.encode(command, (int) golden.number("sequence")));
+  }
+
+  private static ArmSettings armSettings(GoldenFrame golden) {
+    JointLimits shoulder = limits(golden, "shoulder_");
+    JointLimits elbow = limits(golden, "elbow_");
+    return new ArmSettings(
+        new Arm(
+            0.3,
+            0.25,
+            new Pose(0, 0, 0),
+            shoulder,
+            elbow,
+            2,
+            new JointAngles(shoulder.least(), elbow.least())),
+        wiring(golden, "shoulder_"),
+        wiring(golden, "elbow_"),
+        golden.number("open_us"),
+        golden.number("closed_us"),
+        golden.number("empty_mv") / 1e3,
+        golden.number("mv_a_kg") / 1e3);
+  }
+
+  private static JointLimits limits(GoldenFrame golden, String joint) {
+    return new JointLimits(
+        golden.millionths(joint + "least_urad"),
+        golden.millionths(joint + "most_urad"),
+        golden.number(joint + "rate_mrad_s") / 1e3,
+        golden.number(joint + "acceleration_mrad_s2") / 1e3);
+  }
+
+  private static JointWiring wiring(GoldenFrame golden, String joint) {
+    return new JointWiring(
+        golden.number(joint + "pulse_least_us"),
+        golden.number(joint + "pulse_most_us"),
+        golden.number(joint + "mv_least") / 1e3,
+        golden.number(joint + "mv_most") / 1e3);
+  }
+
+  static Stream<GoldenFrame> armStatuses() throws IOException {
+    return GoldenFrame.all().filter(g -> g.kind().equals("arm_status"));
+  }
+
+  @ParameterizedTest
+  @MethodSource("armStatuses")
+  void goldenFrameBecomesItsStatusOfTheArm(GoldenFrame golden) {
+    assertTrue(FrameCodec.decode(golden.frame()).isEmpty());
+    assertEquals(
+        new ArmStatus(
+            ArmStatus.State.values()[(int) golden.number("arm")],
+            golden.number("closed") == 1,
+            new JointAngles(golden.millionths("shoulder_urad"), golden.millionths("elbow_urad")),
+            new JointAngles(
+                golden.millionths("shoulder_goal_urad"), golden.millionths("elbow_goal_urad")),
+            golden.number("load_g") / 1e3,
+            golden.number("progress") / 255.0),
+        FrameCodec.decodeArm(golden.frame()).orElseThrow());
   }
 
   private static List<Segment> segments(GoldenFrame golden) {
@@ -140,6 +211,7 @@ class FrameCodecTest {
   @MethodSource("bad")
   void badFrameIsNoStatus(GoldenFrame golden) {
     assertTrue(FrameCodec.decode(golden.frame()).isEmpty());
+    assertTrue(FrameCodec.decodeArm(golden.frame()).isEmpty());
   }
 
   @Test

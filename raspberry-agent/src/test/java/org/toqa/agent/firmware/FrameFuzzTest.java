@@ -43,7 +43,8 @@ class FrameFuzzTest {
     long good = 0;
     try (LogLevel _ = LogLevel.errors("org.toqa.agent");
         FirmwareChassis chassis =
-            new FirmwareChassis(answering(), "r1", null, true, FirmwareSettings.DEFAULT, nanos)) {
+            new FirmwareChassis(
+                answering(), "r1", null, true, FirmwareSettings.DEFAULT, null, nanos)) {
       ChassisReading before = chassis.exchange(SLOWLY, nanos);
       for (long input = 0; input < FuzzRun.INPUTS; input++) {
         answer = fuzzed(correct.get(random.nextInt(correct.size())).clone());

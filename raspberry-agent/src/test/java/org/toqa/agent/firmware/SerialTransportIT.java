@@ -108,7 +108,13 @@ class SerialTransportIT {
     try (SerialCable _ = SerialCable.plugIn(device, frame -> GoldenFrame.answer(status, frame))) {
       chassis =
           new FirmwareChassis(
-              new SerialTransport(device, BAUD), "r1", null, true, FirmwareSettings.DEFAULT, nanos);
+              new SerialTransport(device, BAUD),
+              "r1",
+              null,
+              true,
+              FirmwareSettings.DEFAULT,
+              null,
+              nanos);
       assertEquals(List.of(), codes(live(chassis, 2)));
     }
     try (chassis) {

@@ -117,7 +117,7 @@ class SettingsIT {
 
   private Chassis chassis() throws IOException {
     return new FirmwareChassis(
-        new SimulatorTransport(microcontroller.socket()), "r1", null, true, SETTINGS, nanos);
+        new SimulatorTransport(microcontroller.socket()), "r1", null, true, SETTINGS, null, nanos);
   }
 
   private ChassisReading run(Chassis chassis, Twist wanted, int ticks) {

@@ -371,6 +371,7 @@ class SimulatedFirmwareIT {
         START,
         true,
         FirmwareSettings.DEFAULT,
+        null,
         nanos);
   }
 
