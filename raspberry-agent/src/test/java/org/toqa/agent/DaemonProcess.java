@@ -19,7 +19,7 @@ import org.toqa.link.message.AgentMessage;
 import org.toqa.link.message.DecodeResult.Decoded;
 import org.toqa.link.message.LineReader;
 import org.toqa.link.message.LinkCodec;
-import org.toqa.link.message.ServerMessage.Drive;
+import org.toqa.link.message.ServerMessage;
 
 /** A daemon as a process of its own, in real time, to be killed. */
 public final class DaemonProcess implements AutoCloseable {
@@ -117,8 +117,8 @@ public final class DaemonProcess implements AutoCloseable {
       socket.setSoTimeout((int) LIMIT.toMillis());
     }
 
-    public void say(Drive drive) throws IOException {
-      socket.getOutputStream().write(LinkCodec.encode(drive));
+    public void say(ServerMessage message) throws IOException {
+      socket.getOutputStream().write(LinkCodec.encode(message));
     }
 
     public <M extends AgentMessage> M await(Class<M> type, Predicate<M> wanted) throws IOException {
