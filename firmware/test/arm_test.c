@@ -252,10 +252,15 @@ static void hold_and_silence_slow_it_down_and_it_goes_on(void)
 static void another_goal_is_obeyed_by_slowing_down_first(void)
 {
     struct model model;
+    int32_t at;
 
     begin(&model);
     go(&model, -2000000, 0, 10000);
     go(&model, 2000000, 0, 1000);
+    at = model.bench.robot.arm.joints[0].at_urad;
+    go(&model, -2000000, 1000000, 600);
+    /* from 1.571 rad/s with 3.142 rad/s2: 0.39 rad, and not to the end of the line */
+    CHECK(model.bench.robot.arm.joints[0].at_urad <= at + 410000);
     CHECK(go(&model, -2000000, 1000000, 10000) < 10000); /* within the limits all the way */
 }
 
