@@ -117,7 +117,7 @@ run_mysql() {
     --character-sets-dir="$cache/mysql/root/usr/share/mysql/charsets" \
     --port="$port" --bind-address=127.0.0.1 --socket="$database_folder/socket" \
     --mysqlx=OFF --secure-file-priv=NULL --performance-schema=OFF \
-    --innodb-flush-log-at-trx-commit=2 --sync-binlog=0 --connect-timeout=300
+    --innodb-flush-log-at-trx-commit=2 --skip-log-bin --connect-timeout=300
 }
 
 mariadb_server() {
