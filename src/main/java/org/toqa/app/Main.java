@@ -29,19 +29,18 @@ import picocli.CommandLine.Spec;
 import picocli.CommandLine.UnmatchedArgumentException;
 
 /** The command line of the server. */
-@Command(
-    name = "toqa",
-    description = "A fleet server for cooperating mobile robots.",
-    subcommands = {
-      DemoCommand.class,
-      ServerCommand.class,
-      GatewayCommand.class,
-      HttpRobotCommand.class,
-      PlanCommand.class,
-      BenchCommand.class,
-      LabCommand.class
-    })
+@Command(name = "toqa", description = "A fleet server for cooperating mobile robots.")
 public final class Main implements Runnable {
+  /** As the help lists them. */
+  private static final List<Class<?>> COMMANDS =
+      List.of(
+          DemoCommand.class,
+          ServerCommand.class,
+          GatewayCommand.class,
+          HttpRobotCommand.class,
+          PlanCommand.class,
+          BenchCommand.class,
+          LabCommand.class);
 
   @Option(
       names = {"-h", "--help"},
@@ -56,11 +55,32 @@ public final class Main implements Runnable {
   private Main() {}
 
   public static void main(String[] args) {
-    System.exit(commandLine().execute(args));
+    System.exit(commandLineFor(args).execute(args));
   }
 
+  /** All that there is. */
   static CommandLine commandLine() {
-    return NumberConverters.register(new CommandLine(new Main()))
+    return commandLine(COMMANDS);
+  }
+
+  /** With the command alone that the arguments begin with, else with all: each delays the start. */
+  static CommandLine commandLineFor(String... args) {
+    return commandLine(
+        COMMANDS.stream()
+            .filter(command -> args.length > 0 && nameOf(command).equals(args[0]))
+            .findFirst()
+            .<List<Class<?>>>map(List::of)
+            .orElse(COMMANDS));
+  }
+
+  private static String nameOf(Class<?> command) {
+    return command.getAnnotation(Command.class).name();
+  }
+
+  private static CommandLine commandLine(List<Class<?>> commands) {
+    CommandLine all = new CommandLine(new Main());
+    commands.forEach(all::addSubcommand);
+    return NumberConverters.register(all)
         .setParameterExceptionHandler((e, args) -> reportWrongArgument(e))
         .setExecutionExceptionHandler((e, command, result) -> reportFailure(e, command));
   }

@@ -10,10 +10,12 @@ import java.io.PrintWriter;
 import java.io.StringWriter;
 import java.nio.charset.StandardCharsets;
 import java.util.List;
+import java.util.Set;
 import java.util.stream.Stream;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
+import org.junit.jupiter.params.provider.ValueSource;
 import picocli.CommandLine;
 
 /** What the server's commands say of themselves, and to arguments that they cannot take. */
@@ -65,13 +67,26 @@ class CommandLineTest {
   }
 
   @ParameterizedTest
+  @ValueSource(strings = {"server", "bench"})
+  void aCommandAloneSaysWhatItSaysAmongAll(String name) {
+    CommandLine alone = Main.commandLineFor(name, "--help").getSubcommands().get(name);
+    CommandLine amongAll = Main.commandLine().getSubcommands().get(name);
+
+    assertEquals(amongAll.getUsageMessage(), alone.getUsageMessage());
+    assertEquals(Set.of(name), Main.commandLineFor(name).getSubcommands().keySet());
+    assertEquals(
+        Main.commandLine().getSubcommands().keySet(),
+        Main.commandLineFor("--help").getSubcommands().keySet());
+  }
+
+  @ParameterizedTest
   @MethodSource("wrongArguments")
   void aWrongArgumentGetsOneLineAndExitCodeTwo(List<String> arguments, String expected) {
     StringWriter out = new StringWriter();
     StringWriter err = new StringWriter();
 
     int exitCode =
-        Main.commandLine()
+        Main.commandLineFor(arguments.toArray(String[]::new))
             .setOut(new PrintWriter(out, true))
             .setErr(new PrintWriter(err, true))
             .execute(arguments.toArray(String[]::new));
