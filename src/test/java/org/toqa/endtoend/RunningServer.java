@@ -1,6 +1,7 @@
 package org.toqa.endtoend;
 
 import java.net.URI;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.ArrayList;
@@ -10,6 +11,7 @@ import java.util.Optional;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Predicate;
 import java.util.regex.Matcher;
+import org.toqa.store.MigratedFile;
 import org.toqa.testbed.ApiClient;
 import org.toqa.testbed.ApiClient.Reply;
 import org.toqa.testbed.CheapPassword;
@@ -32,8 +34,12 @@ final class RunningServer implements AutoCloseable {
 
   RunningServer(Path folder, String... arguments) throws Exception {
     this.folder = folder;
+    Path data = folder.resolve("data");
+    if (!Files.exists(data)) {
+      MigratedFile.copyTo(data);
+    }
     List<String> command = new ArrayList<>(List.of("--port", "0", "--data"));
-    command.add(folder.resolve("data").toString());
+    command.add(data.toString());
     command.addAll(List.of(arguments));
     this.arguments = command.toArray(String[]::new);
     process = launch();
