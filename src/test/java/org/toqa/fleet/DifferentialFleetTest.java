@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import java.nio.file.Path;
 import java.util.List;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
@@ -19,6 +20,7 @@ import org.toqa.sim.SimulatedFloor;
  * A whole server with real daemons over bodies on two wheels, which {@link LiveFloor} judges where
  * they truly are.
  */
+@Tag("full")
 @Timeout(200)
 class DifferentialFleetTest {
   private static final double SPEED = 200;

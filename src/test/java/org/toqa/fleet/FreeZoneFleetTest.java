@@ -14,6 +14,7 @@ import java.util.concurrent.atomic.DoubleAccumulator;
 import java.util.function.DoubleFunction;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
@@ -31,6 +32,7 @@ import org.toqa.sim.SimulatedFloor;
  * A whole server with real daemons that have four agents, in a hall with a free zone in its middle,
  * which is as wide as the hall.
  */
+@Tag("full")
 @Timeout(200)
 class FreeZoneFleetTest {
   private static final double SPEED = 200;

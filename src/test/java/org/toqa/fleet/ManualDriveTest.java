@@ -15,6 +15,7 @@ import java.util.concurrent.TimeUnit;
 import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
@@ -36,6 +37,7 @@ import org.toqa.wording.Sentence;
  * a test is about, {@link LiveFloor} judges where these truly are: none may touch another or a
  * wall.
  */
+@Tag("full")
 @Timeout(200)
 class ManualDriveTest {
   /** Robots that are driven by hand report each step: faster, the link would pass reports over. */

@@ -16,6 +16,7 @@ import java.util.concurrent.atomic.DoubleAccumulator;
 import java.util.function.Supplier;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
@@ -30,6 +31,7 @@ import org.toqa.mission.TaskState;
 import org.toqa.sim.SimulatedFloor;
 
 /** A real daemon finds something on its path that nobody has told it of. */
+@Tag("full")
 @Timeout(200)
 class ObstacleOnThePathTest {
   private static final double SPEED = 200;

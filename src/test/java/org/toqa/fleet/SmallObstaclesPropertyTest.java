@@ -13,6 +13,7 @@ import net.jqwik.api.Example;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
 import net.jqwik.api.ShrinkingMode;
+import net.jqwik.api.Tag;
 import net.jqwik.api.constraints.LongRange;
 import net.jqwik.api.lifecycle.AfterProperty;
 import org.toqa.app.command.TemporaryFolder;
@@ -33,6 +34,7 @@ import org.toqa.testbed.Cases;
  * and never touches what crosses; and it arrives, or its task names the obstacle, and it arrives
  * when that is gone.
  */
+@Tag("full")
 class SmallObstaclesPropertyTest {
   private static final double SPEED = 1000;
   private static final double SIZE = 0.3;

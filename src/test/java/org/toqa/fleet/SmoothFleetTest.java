@@ -10,6 +10,7 @@ import java.util.Set;
 import java.util.TreeSet;
 import java.util.concurrent.TimeUnit;
 import java.util.stream.IntStream;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
@@ -27,6 +28,7 @@ import org.toqa.motion.DriveKind;
 import org.toqa.sim.SimulatedFloor;
 
 /** Tasks on a floor whose robots drive smooth curves where they meet nobody. */
+@Tag("full")
 @Timeout(200)
 class SmoothFleetTest {
   private static final double SPEED = 100;

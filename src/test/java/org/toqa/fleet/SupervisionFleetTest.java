@@ -17,6 +17,7 @@ import java.util.concurrent.TimeUnit;
 import java.util.function.Predicate;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
@@ -38,6 +39,7 @@ import org.toqa.store.JdbiSupervisionStore;
 import org.toqa.wording.Sentence;
 
 /** A supervisor and two workers, real daemons over simulated bodies in a world with boxes. */
+@Tag("full")
 @Timeout(200)
 class SupervisionFleetTest {
   private static final double SPEED = 40;

@@ -3,6 +3,7 @@ package org.toqa.fleet;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.nio.file.Path;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
@@ -12,6 +13,7 @@ import org.toqa.mission.TaskState;
 import org.toqa.sim.SimulatedFloor;
 
 /** One team comes for its load to where another is about to leave with its own. */
+@Tag("full")
 class TeamsAtOnePlaceTest {
   private static final double SPEED = 200;
 

@@ -12,6 +12,7 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.toqa.grid.Cell;
 import org.toqa.grid.MovingAiReader;
@@ -27,6 +28,7 @@ import org.toqa.testbed.Tally;
  * the product: the folder that holds {@code data/grid} is the system property {@code toqa.shared}.
  * Where it is not there, the maps are made here, and {@link ReferenceSearch} finds the lengths.
  */
+@Tag("full")
 class KnownAnswersTest {
   private static final Path FOLDER =
       Path.of(System.getProperty("toqa.shared", "../shared"), "data", "grid");

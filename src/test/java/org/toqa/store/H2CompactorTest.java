@@ -9,6 +9,7 @@ import java.util.Collections;
 import java.util.List;
 import java.util.concurrent.FutureTask;
 import java.util.concurrent.atomic.AtomicBoolean;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
@@ -20,6 +21,7 @@ import org.toqa.motion.Segment;
 import org.toqa.motion.Trajectory;
 
 /** The file of the embedded database, with the settings that the server has. */
+@Tag("full")
 class H2CompactorTest {
   private static final int COMMITS = 1000;
 

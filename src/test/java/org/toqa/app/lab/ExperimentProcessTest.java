@@ -14,6 +14,7 @@ import java.util.Set;
 import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.stream.Collectors;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.toqa.lab.Experiments;
 import org.toqa.lab.drawing.Animation;
@@ -29,6 +30,7 @@ import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.json.JsonMapper;
 
 /** Experiments in real processes. */
+@Tag("full")
 class ExperimentProcessTest {
   private final ConcurrentLinkedQueue<Double> shares = new ConcurrentLinkedQueue<>();
 

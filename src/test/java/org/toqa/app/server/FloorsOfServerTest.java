@@ -20,6 +20,7 @@ import java.util.concurrent.Future;
 import java.util.concurrent.TimeUnit;
 import java.util.stream.StreamSupport;
 import org.jspecify.annotations.Nullable;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.toqa.accounts.AccountStore;
@@ -42,6 +43,7 @@ import org.toqa.web.WebTestServer;
 import tools.jackson.databind.JsonNode;
 
 /** Several floors on one server, as programs use them. */
+@Tag("full")
 class FloorsOfServerTest {
   private static final Path WEBAPP = Path.of("target/webapp").toAbsolutePath();
   private static final Path MAPS = Path.of("maps").toAbsolutePath();

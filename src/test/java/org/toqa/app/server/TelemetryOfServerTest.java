@@ -18,6 +18,7 @@ import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.stream.StreamSupport;
 import org.eclipse.paho.client.mqttv3.MqttException;
 import org.jspecify.annotations.Nullable;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.toqa.accounts.Secret;
@@ -32,6 +33,7 @@ import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.json.JsonMapper;
 
 /** A whole server with its embedded MQTT broker: what comes and goes over it. */
+@Tag("full")
 class TelemetryOfServerTest {
   private static final Path WEBAPP = Path.of("target/webapp").toAbsolutePath();
   private static final Path MAPS = Path.of("maps").toAbsolutePath();

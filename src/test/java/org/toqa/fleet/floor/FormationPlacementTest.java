@@ -16,6 +16,7 @@ import java.util.Random;
 import java.util.stream.IntStream;
 import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.toqa.fleet.RobotCapabilities;
 import org.toqa.formation.GroupMobility;
@@ -32,6 +33,7 @@ import org.toqa.traffic.Deadline;
 import org.toqa.traffic.floor.FloorTraffic;
 import org.toqa.traffic.mapf.LacamJointPlanner;
 
+@Tag("full")
 class FormationPlacementTest {
   private static final double RADIUS = RobotCapabilities.UNKNOWN.footprint() / 2;
 

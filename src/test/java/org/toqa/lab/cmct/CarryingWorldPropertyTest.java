@@ -9,12 +9,14 @@ import java.util.TreeMap;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
 import net.jqwik.api.ShrinkingMode;
+import net.jqwik.api.Tag;
 import net.jqwik.api.lifecycle.AfterContainer;
 import org.toqa.lab.experiment.Run;
 import org.toqa.planning.JumpPointSearch;
 import org.toqa.planning.cmct.CmctPlanner;
 import org.toqa.testbed.Cases;
 
+@Tag("full")
 class CarryingWorldPropertyTest {
   private static final int BOXES = 4;
 

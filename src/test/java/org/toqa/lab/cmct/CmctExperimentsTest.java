@@ -7,6 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
 import java.util.Map;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.toqa.geometry.Vec2;
 import org.toqa.lab.experiment.Figure;
@@ -16,6 +17,7 @@ import org.toqa.lab.experiment.RunStoppedException;
 import org.toqa.lab.experiment.Value;
 import org.toqa.lab.experiment.Verdict;
 
+@Tag("full")
 class CmctExperimentsTest {
 
   private static Run run(double scenes) {

@@ -9,6 +9,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Objects;
 import java.util.OptionalDouble;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -25,6 +26,7 @@ import org.toqa.planning.smooth.SmoothMethod;
 import org.toqa.planning.smooth.curve.SmoothCurve;
 import org.toqa.planning.smooth.curve.SplineFitter;
 
+@Tag("full")
 class CsmExperimentsTest {
   private static final double RADIUS = 0.1;
 

@@ -2,11 +2,13 @@ package org.toqa.traffic.floor;
 
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
+import net.jqwik.api.Tag;
 import net.jqwik.api.constraints.LongRange;
 import net.jqwik.api.lifecycle.AfterProperty;
 import org.toqa.testbed.Cases;
 
 /** A {@link Crowd} of a few robots. */
+@Tag("full")
 class CrowdPropertyTest {
   private static final int ROBOTS = 8;
 

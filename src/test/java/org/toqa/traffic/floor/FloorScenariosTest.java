@@ -12,9 +12,11 @@ import java.util.Objects;
 import java.util.stream.LongStream;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.DynamicTest;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.TestFactory;
 
 /** Every file under {@code src/test/resources/traffic} is driven, each a few times. */
+@Tag("full")
 class FloorScenariosTest {
   private static final int TIMES = 5;
 

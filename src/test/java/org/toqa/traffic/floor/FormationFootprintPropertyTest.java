@@ -19,6 +19,7 @@ import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
+import net.jqwik.api.Tag;
 import net.jqwik.api.constraints.LongRange;
 import net.jqwik.api.lifecycle.AfterProperty;
 import org.toqa.formation.GroupMobility;
@@ -32,6 +33,7 @@ import org.toqa.grid.Place;
 import org.toqa.testbed.Cases;
 
 /** Robots that carry a load of 0.3 m together on the shipped floor. */
+@Tag("full")
 class FormationFootprintPropertyTest {
   private static final double LOAD = 0.3;
 

@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.Random;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
+import net.jqwik.api.Tag;
 import net.jqwik.api.constraints.LongRange;
 import net.jqwik.api.lifecycle.AfterProperty;
 import org.toqa.grid.Cell;
@@ -18,6 +19,7 @@ import org.toqa.testbed.Cases;
  * Plans that are ready up to two seconds after the floor was pictured, while robots drive on: all
  * arrive, and {@link DrivenFloor} sees to it that none ever touch.
  */
+@Tag("full")
 class LatePlanPropertyTest {
   private static final Duration MOST_PLANNING = Duration.ofSeconds(2);
 

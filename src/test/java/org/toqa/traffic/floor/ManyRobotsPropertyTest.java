@@ -10,6 +10,7 @@ import java.util.List;
 import java.util.Random;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
+import net.jqwik.api.Tag;
 import net.jqwik.api.constraints.LongRange;
 import net.jqwik.api.lifecycle.AfterProperty;
 import org.toqa.geometry.Vec2;
@@ -18,6 +19,7 @@ import org.toqa.grid.OccupancyGrid;
 import org.toqa.testbed.Cases;
 
 /** So many robots that only their next steps are planned together. */
+@Tag("full")
 class ManyRobotsPropertyTest {
   private final Cases floors = new Cases("generated floors");
 

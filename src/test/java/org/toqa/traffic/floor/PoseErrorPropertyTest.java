@@ -9,6 +9,7 @@ import java.util.List;
 import java.util.Random;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
+import net.jqwik.api.Tag;
 import net.jqwik.api.constraints.LongRange;
 import net.jqwik.api.lifecycle.AfterProperty;
 import org.toqa.geometry.Vec2;
@@ -18,6 +19,7 @@ import org.toqa.motion.Trajectory;
 import org.toqa.testbed.Cases;
 
 /** Robots that are as far beside their paths as a daemon lets them be touch nothing. */
+@Tag("full")
 class PoseErrorPropertyTest {
   private final Cases floors = new Cases("generated floors");
 

@@ -2,6 +2,7 @@ package org.toqa.traffic.floor;
 
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
+import net.jqwik.api.Tag;
 import net.jqwik.api.constraints.LongRange;
 import net.jqwik.api.lifecycle.AfterProperty;
 import org.toqa.grid.Moves;
@@ -12,6 +13,7 @@ import org.toqa.testbed.Cases;
  * arrive, and {@link DrivenFloor} sees to it that none touch each other or a wall, and that all
  * keep what is drawn.
  */
+@Tag("full")
 class SmoothPathsPropertyTest {
   private final Cases floors = new Cases("generated floors");
 

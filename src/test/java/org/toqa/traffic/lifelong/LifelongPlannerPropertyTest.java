@@ -13,6 +13,7 @@ import net.jqwik.api.Arbitrary;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
 import net.jqwik.api.Provide;
+import net.jqwik.api.Tag;
 import org.toqa.grid.Cell;
 import org.toqa.traffic.Deadline;
 import org.toqa.traffic.GridPose;
@@ -21,6 +22,7 @@ import org.toqa.traffic.RandomFloors;
 import org.toqa.traffic.RandomFloors.Floor;
 
 /** What holds for every planner; {@link Drive} has the checker look at each plan. */
+@Tag("full")
 class LifelongPlannerPropertyTest {
 
   /** Names a planner in a report, and makes one. */

@@ -9,6 +9,7 @@ import java.util.Collections;
 import java.util.List;
 import java.util.Random;
 import java.util.stream.IntStream;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
@@ -21,6 +22,7 @@ import org.toqa.traffic.MotionModel;
 import org.toqa.traffic.RoadGraph;
 
 /** Robots on all cells but a few, as in a sliding puzzle, get goal after goal. */
+@Tag("full")
 class PackedFloorTest {
   private static final OccupancyGrid GRID =
       OccupancyGrid.parse(

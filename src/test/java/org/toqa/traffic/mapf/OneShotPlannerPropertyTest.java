@@ -10,6 +10,7 @@ import net.jqwik.api.Arbitrary;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
 import net.jqwik.api.Provide;
+import net.jqwik.api.Tag;
 import org.toqa.traffic.Deadline;
 import org.toqa.traffic.RandomFloors;
 import org.toqa.traffic.RandomFloors.Floor;
@@ -18,6 +19,7 @@ import org.toqa.traffic.mapf.MapfResult.Reason;
 import org.toqa.traffic.mapf.MapfResult.Solved;
 import org.toqa.traffic.mapf.MapfResult.Unsolved;
 
+@Tag("full")
 class OneShotPlannerPropertyTest {
 
   @Provide
