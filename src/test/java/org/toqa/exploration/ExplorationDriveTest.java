@@ -7,6 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.BitSet;
 import java.util.List;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -19,6 +20,7 @@ import org.toqa.grid.OccupancyGrid;
 import org.toqa.planning.JumpPointSearch;
 import org.toqa.planning.PlanResult;
 
+@Tag("full")
 class ExplorationDriveTest {
 
   @ParameterizedTest

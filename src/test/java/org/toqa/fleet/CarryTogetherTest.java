@@ -13,6 +13,7 @@ import java.util.Objects;
 import java.util.concurrent.TimeUnit;
 import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
@@ -34,6 +35,7 @@ import org.toqa.sim.SimulatedFloor;
  * Real daemons over simulated bodies carry heavy loads, from the order to the drive home. That no
  * body meets another one or a wall is judged by {@link LiveFloor}, where they really are.
  */
+@Tag("full")
 class CarryTogetherTest {
   private static final double SPEED = 200;
   private static final double SIZE = 0.3;

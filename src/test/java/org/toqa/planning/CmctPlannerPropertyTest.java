@@ -10,6 +10,7 @@ import net.jqwik.api.Arbitrary;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
 import net.jqwik.api.Provide;
+import net.jqwik.api.Tag;
 import net.jqwik.api.lifecycle.AfterContainer;
 import org.toqa.planning.PlanChecker.Rule;
 import org.toqa.planning.PlanResult.Found;
@@ -19,6 +20,7 @@ import org.toqa.planning.RandomGrids.Query;
 import org.toqa.planning.cmct.CmctPlanner;
 import org.toqa.testbed.Cases;
 
+@Tag("full")
 class CmctPlannerPropertyTest {
   private static final Cases PATHS = new Cases("paths of CMCT-PP");
 

@@ -11,6 +11,7 @@ import java.util.SplittableRandom;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -30,6 +31,7 @@ import org.toqa.motion.Segment;
 import org.toqa.motion.Trajectory;
 
 /** A robot on two wheels, seen from its server: it drives what any robot is given. */
+@Tag("full")
 class DifferentialRobotTest {
   private static final Duration MINUTES = Duration.ofMinutes(5);
   private static final Segment METRE = new Segment(0.25, 0, 4);

@@ -14,6 +14,7 @@ import java.util.List;
 import java.util.Objects;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
@@ -30,6 +31,7 @@ import org.toqa.link.trust.LinkTls;
 import org.toqa.motion.Segment;
 
 /** Three paired daemons that carry one load: their links to each other are pinned too. */
+@Tag("full")
 @Timeout(120)
 class EncryptedFormationTest {
 

@@ -11,6 +11,7 @@ import java.util.List;
 import java.util.Objects;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -35,6 +36,7 @@ import org.toqa.motion.Segment;
  * A robot with four agents has a path of 6 m to the east from (2, 3), of which a free zone of 4 m
  * by 3 m, from (3, 1.5) on, is lent to it.
  */
+@Tag("full")
 class FreeZoneTest {
   private static final int PIECES = 15;
   private static final Segment PIECE = new Segment(0.25, 0, 1.6);

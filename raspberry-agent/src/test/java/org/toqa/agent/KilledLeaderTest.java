@@ -7,6 +7,7 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
@@ -25,6 +26,7 @@ import org.toqa.motion.Segment;
  * the group stands in time is judged in simulated time, in {@link FormationTest}; here, by how far
  * the follower still gets.
  */
+@Tag("full")
 @Timeout(60)
 class KilledLeaderTest {
 

@@ -8,6 +8,7 @@ import java.time.Duration;
 import java.util.List;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.toqa.agent.chassis.SimulatedBattery;
@@ -19,6 +20,7 @@ import org.toqa.link.message.AgentMessage.State;
 import org.toqa.motion.Segment;
 
 /** A robot that drives 3 m to the east from (2, 3), and the obstacles there. */
+@Tag("full")
 class ObstacleAvoidanceTest {
   private static final Segment METRE = new Segment(0.25, 0, 4);
   private static final Duration MINUTE = Duration.ofMinutes(1);

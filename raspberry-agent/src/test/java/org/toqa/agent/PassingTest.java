@@ -10,6 +10,7 @@ import java.util.Collections;
 import java.util.List;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -29,6 +30,7 @@ import org.toqa.motion.PassingRoom;
 import org.toqa.motion.Segment;
 
 /** A robot drives 4 m to the east from (2, 3), and is lent room where it asks for it. */
+@Tag("full")
 class PassingTest {
   private static final int PIECES = 10;
   private static final Segment PIECE = new Segment(0.25, 0, 1.6);

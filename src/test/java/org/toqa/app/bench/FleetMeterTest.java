@@ -7,6 +7,7 @@ import java.time.Instant;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.toqa.fleet.FleetSnapshot;
 import org.toqa.fleet.RobotCapabilities;
@@ -26,6 +27,7 @@ import org.toqa.sim.ClearanceJudge;
 import org.toqa.testbed.Hall;
 import org.toqa.testbed.Views;
 
+@Tag("full")
 class FleetMeterTest {
   private static final Instant NOON = Instant.parse("2026-06-01T12:00:00Z");
   private static final TaskPlace PLACE = new TaskPlace(Vec2.ZERO, null);

@@ -18,6 +18,7 @@ import java.util.concurrent.TimeUnit;
 import java.util.function.BooleanSupplier;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.toqa.allocation.Policy;
@@ -65,6 +66,7 @@ import org.toqa.wording.Sentence;
  * Two real daemons that have to pass each other, and a plan for both of them that never ends; a
  * third one drives apart from them, and a fourth one on another floor.
  */
+@Tag("full")
 class BusyFloorTest {
   /**
    * A machine that is busy must not make a robot count as lost: with a plan that never ends it
