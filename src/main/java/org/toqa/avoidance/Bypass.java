@@ -19,6 +19,9 @@ import org.toqa.geometry.Vec2;
  * look its own sensors, so they look where it comes to, and one still looks along the path and sees
  * how wide the thing is. Its steering follows from where it is alone, not from its speed, so it can
  * be driven ahead in thought: the robot goes on only as far as that keeps off all that it has seen.
+ *
+ * <p>A robot that can go sideways looks round meanwhile. One that cannot faces where it drives: it
+ * is lent the same line, and sees of what it passes no more than that lets it.
  */
 public final class Bypass {
 
@@ -69,6 +72,7 @@ public final class Bypass {
   private static final double ALONG_PATH = 0.03;
 
   private final double radius;
+  private final boolean canLookRound;
 
   /** Metres to the left of the path where it passes what is on it; 0 where there is nothing. */
   private double passing;
@@ -136,9 +140,11 @@ public final class Bypass {
 
   /**
    * @param radius of the robot, metres
+   * @param canLookRound whether it can turn away from where it drives
    */
-  public Bypass(double radius) {
+  public Bypass(double radius, boolean canLookRound) {
     this.radius = radius;
+    this.canLookRound = canLookRound;
   }
 
   /**
@@ -174,7 +180,7 @@ public final class Bypass {
     angleRate = seconds > 0 ? (next.angle() - angle) / seconds : 0;
     offset = next.offset();
     angle = next.angle();
-    if (onward) {
+    if (onward && canLookRound) {
       lookRound(!blocking.isEmpty(), seconds);
     } else {
       glanceRate = 0;

@@ -49,6 +49,19 @@ public record RangeSensors(List<Pose> beams) {
   }
 
   /**
+   * On the rim of a round robot, each at the angle at which it looks.
+   *
+   * @param radius of the robot, metres
+   * @param angles radians, counter-clockwise from straight ahead, from right to left
+   */
+  public static RangeSensors onRim(double radius, List<Double> angles) {
+    return new RangeSensors(
+        angles.stream()
+            .map(angle -> new Pose(radius * Math.cos(angle), radius * Math.sin(angle), angle))
+            .toList());
+  }
+
+  /**
    * Whether a sensor looks through a point, to something behind it: nothing is there any more.
    *
    * @param ranges metres, from right to left

@@ -5,6 +5,7 @@ import java.net.InetAddress;
 import java.net.UnknownHostException;
 import java.nio.file.Path;
 import java.time.Duration;
+import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.Callable;
 import org.jspecify.annotations.Nullable;
@@ -143,6 +144,7 @@ public final class HttpRobotCommand implements Callable<Integer> {
             seed,
             maxLoad,
             Duration.ofMillis(delay),
+            List.of(),
             null);
     try (StopSignal stop = new StopSignal();
         SimulatedHttpRobot robot = new SimulatedHttpRobot(settings)) {

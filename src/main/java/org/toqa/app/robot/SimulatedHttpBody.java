@@ -40,6 +40,7 @@ final class SimulatedHttpBody implements AutoCloseable {
 
   private final SimulatedChassis chassis;
   private final double maxLoad;
+  private final List<Double> rangeAngles;
   private final RobotDescription.@Nullable Sonar sonar;
   private final long boot;
   private ChassisReading reading;
@@ -53,6 +54,8 @@ final class SimulatedHttpBody implements AutoCloseable {
    * @param slip standard deviation of a wheel's slip, as a share of what it turns
    * @param sizeError standard deviation of a wheel's constant error in size, as a share of it
    * @param maxLoad kilograms
+   * @param rangeAngles where range sensors on its rim look, radians, from right to left; empty: it
+   *     has none
    * @param sonar that it tells of; null: none
    * @param surroundings is told where the body really is
    */
@@ -63,14 +66,17 @@ final class SimulatedHttpBody implements AutoCloseable {
       double sizeError,
       long seed,
       double maxLoad,
+      List<Double> rangeAngles,
       RobotDescription.@Nullable Sonar sonar,
       Surroundings surroundings)
       throws IOException {
     this.maxLoad = maxLoad;
+    this.rangeAngles = List.copyOf(rangeAngles);
     this.sonar = sonar;
+    RangeSensors sensors = RangeSensors.onRim(FOOTPRINT / 2, rangeAngles);
     SimulatedWheels wheels = new SimulatedWheels(WHEELS, slip, sizeError);
     if (folder == null) {
-      chassis = new SimulatedChassis(start, wheels, seed, surroundings);
+      chassis = new SimulatedChassis(start, wheels, seed, sensors, surroundings);
       boot = System.currentTimeMillis();
     } else {
       PrivateFolder.create(folder);
@@ -82,7 +88,7 @@ final class SimulatedHttpBody implements AutoCloseable {
               SimulatedBattery.FULL,
               wheels,
               seed,
-              new RangeSensors(FOOTPRINT / 2),
+              sensors,
               surroundings);
     }
     reading = chassis.exchange(MoveAt.STANDSTILL, System.nanoTime());
@@ -109,7 +115,8 @@ final class SimulatedHttpBody implements AutoCloseable {
         MAX_SPEED,
         maxLoad,
         FOOTPRINT,
-        false,
+        !rangeAngles.isEmpty(),
+        rangeAngles,
         sonar,
         boot,
         seq);
@@ -126,7 +133,14 @@ final class SimulatedHttpBody implements AutoCloseable {
     }
     int[] counts = chassis.wheelCounts();
     return new WheelReport(
-        seq, boot, now / 1_000_000, counts[0], counts[1], reading.battery(), null, List.of());
+        seq,
+        boot,
+        now / 1_000_000,
+        counts[0],
+        counts[1],
+        reading.battery(),
+        rangeAngles.isEmpty() ? null : reading.ranges(),
+        List.of());
   }
 
   private static Twist twist(WheelOrder order) {

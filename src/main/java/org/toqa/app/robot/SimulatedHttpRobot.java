@@ -10,6 +10,7 @@ import java.net.InetSocketAddress;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.time.Duration;
+import java.util.List;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import org.jspecify.annotations.Nullable;
@@ -74,6 +75,8 @@ public final class SimulatedHttpRobot implements AutoCloseable {
    * @param sizeError standard deviation of a wheel's constant error in size, as a share of it
    * @param maxLoad kilograms
    * @param delay with which it answers orders
+   * @param rangeAngles where range sensors on its rim look, radians, from right to left; empty: it
+   *     has none
    * @param sonar that it tells of; null: none
    */
   public record Settings(
@@ -88,6 +91,7 @@ public final class SimulatedHttpRobot implements AutoCloseable {
       long seed,
       double maxLoad,
       Duration delay,
+      List<Double> rangeAngles,
       RobotDescription.@Nullable Sonar sonar) {
 
     /** On a free port of loopback, with an exact body that is not kept, which answers at once. */
@@ -104,6 +108,7 @@ public final class SimulatedHttpRobot implements AutoCloseable {
           1,
           5,
           Duration.ZERO,
+          List.of(),
           null);
     }
   }
@@ -133,6 +138,7 @@ public final class SimulatedHttpRobot implements AutoCloseable {
             settings.sizeError(),
             settings.seed(),
             settings.maxLoad(),
+            settings.rangeAngles(),
             settings.sonar(),
             surroundings);
     InetSocketAddress address = new InetSocketAddress(settings.address(), settings.port());

@@ -28,8 +28,14 @@ public final class HttpRobotCodec {
   /** 2^53: up to here every whole number is exact in any language's JSON. */
   private static final long LARGEST_NUMBER = 1L << 53;
 
-  private static final int RANGES = 3;
+  /** Of range sensors; a robot that does not say where its own look has three. */
+  private static final int MOST_RANGES = 16;
+
   private static final double FARTHEST_RANGE = 100;
+  private static final String RANGES = "up to " + MOST_RANGES + " numbers from 0 to 100";
+  private static final String ANGLES =
+      "1 to " + MOST_RANGES + " rising numbers from -3.1416 to 3.1416";
+  private static final double LARGEST_ANGLE = 3.1416;
   private static final int MOST_ERRORS = 16;
   private static final int MOST_AMPLITUDE = 255;
   private static final double LONGEST_PULSE = 33;
@@ -109,6 +115,10 @@ public final class HttpRobotCodec {
             .put("rangeSensors", robot.hasRangeSensors())
             .put("boot", robot.boot())
             .put("seq", robot.seq());
+    if (!robot.rangeAngles().isEmpty()) {
+      ArrayNode angles = json.putArray("rangeAngles");
+      robot.rangeAngles().forEach(angle -> angles.add(rounded(angle)));
+    }
     RobotDescription.Sonar sonar = robot.sonar();
     if (sonar != null) {
       json.putObject("sonar")
@@ -171,12 +181,12 @@ public final class HttpRobotCodec {
     List<Double> ranges = new ArrayList<>();
     for (JsonNode range : list) {
       if (!range.isNumber() || !(range.asDouble() >= 0 && range.asDouble() <= FARTHEST_RANGE)) {
-        throw nonsense("ranges", "three numbers from 0 to 100");
+        throw nonsense("ranges", RANGES);
       }
       ranges.add(range.asDouble());
     }
-    if (!list.isArray() || !(ranges.isEmpty() || ranges.size() == RANGES)) {
-      throw nonsense("ranges", "three numbers from 0 to 100");
+    if (!list.isArray() || ranges.size() > MOST_RANGES) {
+      throw nonsense("ranges", RANGES);
     }
     return ranges.isEmpty() ? null : ranges;
   }
@@ -223,9 +233,26 @@ public final class HttpRobotCodec {
         number(json, "maxLoad", 0, 10_000),
         number(json, "footprint", 0.05, 5),
         isSent(json, "rangeSensors") && flag(json, "rangeSensors"),
+        isSent(json, "rangeAngles") ? rangeAngles(json.path("rangeAngles")) : List.of(),
         isSent(json, "sonar") ? sonar(json.path("sonar")) : null,
         whole(json, "boot", 1, LARGEST_NUMBER),
         whole(json, "seq", 0, LARGEST_NUMBER));
+  }
+
+  private static List<Double> rangeAngles(JsonNode list) throws HttpRobotException {
+    List<Double> angles = new ArrayList<>();
+    double last = -LARGEST_ANGLE;
+    for (JsonNode angle : list) {
+      if (!angle.isNumber() || !(angle.asDouble() >= last && angle.asDouble() <= LARGEST_ANGLE)) {
+        throw nonsense("rangeAngles", ANGLES);
+      }
+      last = angle.asDouble();
+      angles.add(last);
+    }
+    if (!list.isArray() || angles.isEmpty() || angles.size() > MOST_RANGES) {
+      throw nonsense("rangeAngles", ANGLES);
+    }
+    return angles;
   }
 
   private static RobotDescription.Sonar sonar(JsonNode sonar) throws HttpRobotException {

@@ -1,5 +1,6 @@
 package org.toqa.link.http;
 
+import java.util.List;
 import org.jspecify.annotations.Nullable;
 import org.toqa.motion.DifferentialKinematics;
 
@@ -12,7 +13,9 @@ import org.toqa.motion.DifferentialKinematics;
  * @param maxSpeed metres a second of either wheel, 0.01 to 5
  * @param maxLoad kilograms, 0 to 10,000
  * @param footprint diameter in metres, 0.05 to 5
- * @param hasRangeSensors whether each report has the three ranges
+ * @param hasRangeSensors whether each report has ranges
+ * @param rangeAngles where the sensors of these look, from their places on its rim: radians,
+ *     counter-clockwise from straight ahead, from right to left; empty: the usual three
  * @param sonar null: its place is not corrected by ranges
  * @param boot another number whenever the counts have begun anew
  * @param seq of the last command that it obeyed; 0 for none
@@ -25,6 +28,7 @@ public record RobotDescription(
     double maxLoad,
     double footprint,
     boolean hasRangeSensors,
+    List<Double> rangeAngles,
     @Nullable Sonar sonar,
     long boot,
     long seq) {
@@ -38,6 +42,10 @@ public record RobotDescription(
    *     to 0.5
    */
   public record Sonar(double farthest, double deviation) {}
+
+  public RobotDescription {
+    rangeAngles = List.copyOf(rangeAngles);
+  }
 
   /** The version of the commands and reports here. */
   public static final int VERSION = 1;

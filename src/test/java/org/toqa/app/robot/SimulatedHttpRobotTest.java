@@ -12,6 +12,7 @@ import java.net.http.HttpResponse;
 import java.net.http.HttpResponse.BodyHandlers;
 import java.nio.file.Path;
 import java.time.Duration;
+import java.util.List;
 import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
@@ -147,6 +148,7 @@ class SimulatedHttpRobotTest {
             1,
             5,
             Duration.ZERO,
+            List.of(),
             null);
     robot.close();
     robot = new SimulatedHttpRobot(kept);

@@ -83,7 +83,7 @@ class HttpRobotLinkTest {
   private SimulatedHttpRobot.Settings settings(int port, @Nullable Path body) {
     SimulatedHttpRobot.Settings usual = SimulatedHttpRobot.Settings.of(TOKEN, START);
     return new SimulatedHttpRobot.Settings(
-        usual.address(), port, TOKEN, null, body, START, 0.005, 0, 1, 5, Duration.ZERO, null);
+        usual.address(), port, TOKEN, null, body, START, 0.005, 0, 1, 5, Duration.ZERO, List.of(), null);
   }
 
   @AfterEach
@@ -195,7 +195,7 @@ class HttpRobotLinkTest {
     robot =
         new SimulatedHttpRobot(
             new SimulatedHttpRobot.Settings(
-                usual.address(), 0, TOKEN, null, null, START, 0, 0.03, 2, 5, Duration.ZERO, sonar));
+                usual.address(), 0, TOKEN, null, null, START, 0, 0.03, 2, 5, Duration.ZERO, List.of(), sonar));
     Walls room = new GridWalls(new OccupancyGrid(60, 80, 0.1, Vec2.ZERO, new BitSet()));
     RobotLink opened = connect();
     heard.await(Hello.class);
@@ -269,7 +269,7 @@ class HttpRobotLinkTest {
             switch (fault) {
               case NONSENSE -> "it is not JSON";
               case TOO_LONG -> "it is longer than 16384 bytes";
-              case WRONG_RANGES -> "ranges must be three numbers";
+              case WRONG_RANGES -> "ranges must be up to 16 numbers";
               case BROKEN -> "the status 500";
               default -> "does not answer";
             }),
@@ -321,7 +321,7 @@ class HttpRobotLinkTest {
     robot =
         new SimulatedHttpRobot(
             new SimulatedHttpRobot.Settings(
-                usual.address(), 0, TOKEN, identity, null, START, 0, 0, 1, 5, Duration.ZERO, null));
+                usual.address(), 0, TOKEN, identity, null, START, 0, 0, 1, 5, Duration.ZERO, List.of(), null));
     RobotLink distrustful = connect(TOKEN, new Fingerprint("0".repeat(64)));
     String sentence = heard.await(LinkRecorder.Refusal.class).sentence();
     assertTrue(sentence.contains("another certificate"), sentence);

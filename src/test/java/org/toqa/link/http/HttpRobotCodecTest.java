@@ -74,9 +74,9 @@ class HttpRobotCodecTest {
         "\"left\":1 | \"left\":\"1\" | left must be a whole number",
         "\"left\":1 | \"left\":1e300 | left must be a whole number",
         "\"battery\":0.5 | \"battery\":1.5 | battery must be a number from 0.0 to 1.0",
-        "\"battery\":0.5 | \"ranges\":[0.5,-3,0.5] | ranges must be three numbers",
-        "\"battery\":0.5 | \"ranges\":[0.5,0.5] | ranges must be three numbers",
-        "\"battery\":0.5 | \"ranges\":0.5 | ranges must be three numbers",
+        "\"battery\":0.5 | \"ranges\":[0.5,-3,0.5] | ranges must be up to 16 numbers",
+        "\"battery\":0.5 | \"ranges\":[1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1] | ranges must be up to 16 numbers",
+        "\"battery\":0.5 | \"ranges\":0.5 | ranges must be up to 16 numbers",
         "\"battery\":0.5 | \"errors\":[{\"code\":\"a b\",\"text\":\"\"}] | errors must be a list",
         "\"battery\":0.5 | \"errors\":[7] | errors must be a list",
         "{ | [ | it is not JSON",
@@ -116,6 +116,9 @@ class HttpRobotCodecTest {
     String right = goldenLines().getFirst().substring("description ".length());
     return Stream.of(
         right.replace("\"version\":1", "\"version\":2"),
+        right.replace("\"seq\":0", "\"seq\":0,\"rangeAngles\":[]"),
+        right.replace("\"seq\":0", "\"seq\":0,\"rangeAngles\":[0.3,-0.3]"),
+        right.replace("\"seq\":0", "\"seq\":0,\"rangeAngles\":[-4]"),
         right.replace("\"seq\":0", "\"seq\":0,\"sonar\":true"),
         right.replace("\"seq\":0", "\"seq\":0,\"sonar\":{\"farthest\":4}"),
         right.replace("\"seq\":0", "\"seq\":0,\"sonar\":{\"farthest\":4,\"deviation\":0}"),

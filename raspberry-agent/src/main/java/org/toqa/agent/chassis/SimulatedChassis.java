@@ -138,19 +138,23 @@ public final class SimulatedChassis implements Chassis {
 
   /** A new body that nothing is kept of, with a full battery. */
   public SimulatedChassis(Pose start, SimulatedWheels wheels, long seed) {
-    this(start, wheels, seed, Surroundings.EMPTY);
+    this(start, wheels, seed, DEFAULT_SENSORS, Surroundings.EMPTY);
   }
 
   /** The same among obstacles. */
   public SimulatedChassis(
-      Pose start, SimulatedWheels wheels, long seed, Surroundings surroundings) {
+      Pose start,
+      SimulatedWheels wheels,
+      long seed,
+      RangeSensors sensors,
+      Surroundings surroundings) {
     this(
         new SimulatedChassisFile(),
         start,
         SimulatedBattery.FULL,
         wheels,
         seed,
-        DEFAULT_SENSORS,
+        sensors,
         surroundings);
   }
 

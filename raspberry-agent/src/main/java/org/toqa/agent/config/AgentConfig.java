@@ -195,8 +195,11 @@ public record AgentConfig(
         adHocNetwork);
   }
 
-  /** The range sensors of a simulated body. */
+  /** Where the range sensors of its body are and look, if it has any. */
   public RangeSensors rangeSensors() {
+    if (!chassis.rangeAngles().isEmpty()) {
+      return RangeSensors.onRim(footprint / 2, chassis.rangeAngles());
+    }
     return switch (avoidance) {
       case WEIGHTED_DIRECTIONS -> new RangeSensors(footprint / 2);
       case FOUR_AGENTS ->

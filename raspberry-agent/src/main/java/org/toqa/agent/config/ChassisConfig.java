@@ -1,6 +1,7 @@
 package org.toqa.agent.config;
 
 import java.nio.file.Path;
+import java.util.List;
 import org.jspecify.annotations.Nullable;
 import org.toqa.agent.chassis.SimulatedBattery;
 import org.toqa.agent.chassis.SimulatedWheels;
@@ -46,6 +47,14 @@ public sealed interface ChassisConfig {
   }
 
   /**
+   * Where the range sensors on its rim look: radians, counter-clockwise from straight ahead, from
+   * right to left; empty: as is usual.
+   */
+  default List<Double> rangeAngles() {
+    return List.of();
+  }
+
+  /**
    * A body that is simulated as a whole.
    *
    * @param start where a new body is put, map frame
@@ -53,6 +62,7 @@ public sealed interface ChassisConfig {
    * @param noise standard deviation of a wheel's slip, as a share of what it turns
    * @param timeFactor how many times faster than real time it and its daemon live
    * @param surroundings what is round it
+   * @param rangeAngles as above
    */
   record Simulated(
       Pose start,
@@ -60,7 +70,8 @@ public sealed interface ChassisConfig {
       double noise,
       long seed,
       double timeFactor,
-      Surroundings surroundings)
+      Surroundings surroundings,
+      List<Double> rangeAngles)
       implements ChassisConfig {
 
     @Override
@@ -76,6 +87,17 @@ public sealed interface ChassisConfig {
     @Override
     public double track(DriveKind kind) {
       return SimulatedWheels.of(kind, 0).track();
+    }
+
+    /** One with the usual range sensors. */
+    public Simulated(
+        Pose start,
+        SimulatedBattery power,
+        double noise,
+        long seed,
+        double speed,
+        Surroundings surroundings) {
+      this(start, power, noise, seed, speed, surroundings, List.of());
     }
 
     /** One on an endless empty floor. */
@@ -146,6 +168,11 @@ public sealed interface ChassisConfig {
     @Override
     public double track(DriveKind kind) {
       return description.track();
+    }
+
+    @Override
+    public List<Double> rangeAngles() {
+      return description.rangeAngles();
     }
   }
 

@@ -20,7 +20,6 @@ import org.toqa.link.message.ServerMessage.Lead;
 import org.toqa.link.message.ServerMessage.Locate;
 import org.toqa.link.message.ServerMessage.Release;
 import org.toqa.link.message.ServerMessage.Room;
-import org.toqa.motion.DriveKind;
 import org.toqa.motion.Segment;
 
 /**
@@ -35,7 +34,6 @@ final class CommandRules {
   private final DriveRules driveRules;
   private final FormationRules formationRules;
   private final RobotRecord record;
-  private final DriveKind kind;
   private final Avoidance avoidance;
   private final boolean canShift;
 
@@ -47,7 +45,6 @@ final class CommandRules {
     this.driveRules = new DriveRules(config.limits(), config.footprint() / 2);
     this.formationRules = new FormationRules(config, encrypted);
     this.record = record;
-    this.kind = config.kind();
     this.avoidance = config.avoidance();
     this.canShift = config.canShift();
   }
@@ -133,8 +130,8 @@ final class CommandRules {
           : Optional.of(
               "Only a robot that drives alone, with four agents, finds its way through a free zone.");
     }
-    if (!(activity instanceof Alone) || !kind.canGoSideways()) {
-      return Optional.of("Only a robot that drives alone, and can go sideways, needs room.");
+    if (!(activity instanceof Alone)) {
+      return Optional.of("Only a robot that drives alone needs room.");
     }
     return driveRules.objectionTo(room, run.trajectory());
   }

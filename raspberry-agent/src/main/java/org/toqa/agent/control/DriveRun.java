@@ -127,8 +127,9 @@ final class DriveRun {
       runner.watch(tick.pose());
       return relay.command(canMove);
     }
-    return new MoveAt(
-        runner.steer(tick.pose(), tick.seconds(), canMove ? avoider.pace(trajectory()) : 0));
+    Twist wanted =
+        runner.steer(tick.pose(), tick.seconds(), canMove ? avoider.pace(trajectory()) : 0);
+    return new MoveAt(avoider.guarded(tick.pose(), wanted));
   }
 
   /** Drives on by one tick, as it finds its way. */

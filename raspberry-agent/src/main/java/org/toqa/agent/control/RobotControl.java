@@ -259,7 +259,11 @@ public final class RobotControl {
   }
 
   private ObstacleAvoider newAvoider() {
-    return new ObstacleAvoider(config.footprint() / 2, config.kind(), config.rangeSensors());
+    return new ObstacleAvoider(
+        config.footprint() / 2,
+        config.kind(),
+        config.rangeSensors(),
+        config.limits().acceleration());
   }
 
   private void begin(Act order, boolean isRepeated) {

@@ -3,7 +3,6 @@ package org.toqa.agent.drive;
 import java.util.ArrayList;
 import java.util.List;
 import org.toqa.avoidance.RangeSensors;
-import org.toqa.avoidance.fouragents.RangeRing;
 import org.toqa.avoidance.fouragents.StaticObstacle;
 import org.toqa.geometry.Angles;
 import org.toqa.geometry.Pose;
@@ -54,11 +53,12 @@ final class ContactGuard {
   private List<Sighting> sightings = List.of();
 
   /**
+   * @param radius of the robot, metres
    * @param braking metres a second squared
    */
-  ContactGuard(RangeRing ring, double braking) {
-    this.sensors = new RangeSensors(ring.beamsRightToLeft());
-    this.radius = ring.radius();
+  ContactGuard(RangeSensors sensors, double radius, double braking) {
+    this.sensors = sensors;
+    this.radius = radius;
     this.braking = braking;
   }
 
@@ -83,7 +83,7 @@ final class ContactGuard {
    * Notes what is seen.
    *
    * @param robot where it is, map frame
-   * @param ranges metres, from right behind over the front to left behind
+   * @param ranges metres, in the order of its sensors
    * @param known things that stand
    * @param seconds since the last look
    */

@@ -89,7 +89,9 @@ public final class FreeCrossing {
     this.agents = new FourAgents(settings);
     this.known =
         zone.obstacles().stream().map(o -> new StaticObstacle(o.centre(), o.radius())).toList();
-    this.guard = new ContactGuard(settings.ring(), limits.acceleration());
+    this.guard =
+        new ContactGuard(
+            new RangeSensors(settings.ring().beamsRightToLeft()), radius, limits.acceleration());
     this.told = start;
   }
 

@@ -39,6 +39,9 @@ public final class ObstacleAvoider {
   /** Metres; so exactly it remembers where things are that it drives round. */
   private static final double SHARP = 0.01;
 
+  /** Share of its speed; who may not go as slowly stands. */
+  private static final double SLOWEST = 0.05;
+
   /** Metres; with less room than this it stays stopped. */
   private static final double STOP_DISTANCE = 0.02;
 
@@ -50,6 +53,10 @@ public final class ObstacleAvoider {
   private final DetectionMemory sightings = new DetectionMemory(SHARP);
   private final Sidestep sidestep = new Sidestep();
   private final Bypass bypass;
+
+  /** Of a robot that cannot look round while it passes something; null: it can. */
+  private final @Nullable ContactGuard guard;
+
   private final ScanTurn glance = new ScanTurn();
   private List<Vec2> newSightings = List.of();
   private double now;
@@ -66,15 +73,20 @@ public final class ObstacleAvoider {
    *     near to it
    */
   public ObstacleAvoider(double radius, DriveKind kind) {
-    this(radius, kind, new RangeSensors(radius));
+    this(radius, kind, new RangeSensors(radius), 1);
   }
 
-  /** The same with other sensors. */
-  public ObstacleAvoider(double radius, DriveKind kind, RangeSensors sensors) {
+  /**
+   * The same with other sensors.
+   *
+   * @param braking metres a second squared
+   */
+  public ObstacleAvoider(double radius, DriveKind kind, RangeSensors sensors, double braking) {
     this.radius = radius;
     this.mostAside = kind.canGoSideways() ? Sidestep.MAX_OFFSET : 0;
     this.sensors = sensors;
-    this.bypass = new Bypass(radius);
+    this.bypass = new Bypass(radius, kind.canGoSideways());
+    this.guard = kind.canGoSideways() ? null : new ContactGuard(sensors, radius, braking);
   }
 
   /**
@@ -85,6 +97,9 @@ public final class ObstacleAvoider {
    * @param seconds on a monotonic clock
    */
   public void observe(List<Double> ranges, Pose pose, double seconds) {
+    if (guard != null) {
+      guard.look(pose, ranges, List.of(), seconds - now);
+    }
     now = seconds;
     blockingSightings.forgetOld(now);
     nearSightings.forgetOld(now);
@@ -121,7 +136,7 @@ public final class ObstacleAvoider {
    * @param onward whether the robot may move
    */
   public void avoidObstacles(ReferenceTrajectory trajectory, double seconds, boolean onward) {
-    mayPass = mostAside > 0;
+    mayPass = true;
     if (room != null) {
       passInRoom(room, trajectory, seconds, onward);
       return;
@@ -173,6 +188,26 @@ public final class ObstacleAvoider {
   /** How fast the robot's place on its path may move, as a share of the planned speed. */
   public double pace(ReferenceTrajectory trajectory) {
     return room == null ? 1 : bypass.pace(trajectory.plannedTwist());
+  }
+
+  /**
+   * As fast as a robot may go in its room that cannot look round there: what it saw may move, and
+   * it stops before that.
+   *
+   * @param robot where it is, map frame
+   * @param wanted how it would move, in its own frame
+   */
+  public Twist guarded(Pose robot, Twist wanted) {
+    if (room == null || guard == null) {
+      return wanted;
+    }
+    for (double share = 1; share >= SLOWEST; share /= 2) {
+      Twist tried = wanted.times(share);
+      if (guard.isSafe(robot, tried)) {
+        return tried;
+      }
+    }
+    return Twist.ZERO;
   }
 
   /** Where the robot's middle will be on the next metres, map frame. */

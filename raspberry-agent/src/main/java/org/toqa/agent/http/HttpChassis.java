@@ -51,6 +51,9 @@ public final class HttpChassis implements Chassis {
 
   private static final double LONGEST_STEP_SECONDS = 0.1;
 
+  /** Of a robot that has range sensors and does not say where they look. */
+  private static final int USUAL_SENSORS = 3;
+
   /** How long what is wrong with counts or numbers is told. */
   private static final long TELLING_NANOS = 3_000_000_000L;
 
@@ -71,7 +74,7 @@ public final class HttpChassis implements Chassis {
 
   private static final Fault BLIND =
       new Fault(
-          "RANGE_SENSORS", "The robot says that it has range sensors, and tells nothing of them.");
+          "RANGE_SENSORS", "The robot says that it has range sensors, and does not tell a range of each.");
 
   private final HttpRobotClient robot;
   private final RobotDescription body;
@@ -299,11 +302,18 @@ public final class HttpChassis implements Chassis {
 
   private List<Double> ranges() {
     List<Double> told = report.ranges();
-    return !body.hasRangeSensors() || told == null
+    return !body.hasRangeSensors() || told == null || isBlind()
         ? List.of()
         : told.stream()
             .map(range -> Math.clamp(range, RangeSensors.NEAREST, RangeSensors.FARTHEST))
             .toList();
+  }
+
+  /** Whether it does not tell what it should of each sensor. */
+  private boolean isBlind() {
+    List<Double> told = report.ranges();
+    int sensors = body.rangeAngles().isEmpty() ? USUAL_SENSORS : body.rangeAngles().size();
+    return told == null || told.size() != sensors;
   }
 
   private List<Fault> faults(long nanos, boolean isSilent) {
@@ -320,7 +330,7 @@ public final class HttpChassis implements Chassis {
     if (nanos - contestedUntil < 0) {
       faults.add(CONTESTED);
     }
-    if (body.hasRangeSensors() && report.ranges() == null) {
+    if (body.hasRangeSensors() && isBlind()) {
       faults.add(BLIND);
     }
     report.errors().forEach(error -> faults.add(new Fault(error.code(), error.text())));

@@ -22,7 +22,7 @@ class CountedOdometryTest {
   private static final long BOOT = 7;
   private static final RobotDescription BODY =
       new RobotDescription(
-          0.2, WHEEL_RADIUS, COUNTS_PER_TURN, MAX_SPEED, 5, 0.25, false, null, BOOT, 0);
+          0.2, WHEEL_RADIUS, COUNTS_PER_TURN, MAX_SPEED, 5, 0.25, false, List.of(), null, BOOT, 0);
 
   @TempDir private Path folder;
   private CountedOdometry odometry;
