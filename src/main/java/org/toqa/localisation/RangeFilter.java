@@ -22,8 +22,8 @@ import org.toqa.localisation.Walls.Hit;
  * <p>Not believed is what does not fit: a range farther from what is expected than three standard
  * deviations of both (their validation gate), as of somebody who stands before a wall. Nothing is
  * made of a range whose face is met at a slant, where sound goes elsewhere, or lies so near an edge
- * that another face may have been meant, nor of one that reads nothing. And who hardly knows where
- * he is takes no range for one of a wall: he may be before another one.
+ * that another face may have been meant, nor of one that reads nothing, but for that it did. And
+ * who hardly knows where he is takes no range for one of a wall: he may be before another one.
  */
 public final class RangeFilter {
 
@@ -92,8 +92,9 @@ public final class RangeFilter {
    *
    * @param used how many were believed
    * @param refused how many did not fit
+   * @param missed how many saw nothing where a wall was expected
    */
-  public record Correction(PoseEstimate estimate, int used, int refused) {}
+  public record Correction(PoseEstimate estimate, int used, int refused, int missed) {}
 
   public RangeFilter(Body body) {
     this.body = body;
@@ -114,6 +115,7 @@ public final class RangeFilter {
     PoseEstimate now = estimate;
     int used = 0;
     int refused = 0;
+    int missed = 0;
     for (Range range : ranges) {
       Optional<Hit> hit = face(now, range, walls);
       if (hit.isEmpty()) {
@@ -122,7 +124,10 @@ public final class RangeFilter {
       Slope slope = slope(now.pose(), range.beam(), hit.get());
       double variance = range.deviation() * range.deviation();
       double innovation = range.metres() - hit.get().distance();
-      if (innovation * innovation > GATE * GATE * (now.variance(slope) + variance)) {
+      double gate = GATE * Math.sqrt(now.variance(slope) + variance);
+      if (range.metres() >= body.farthest()) {
+        missed += hit.get().distance() + gate < body.farthest() ? 1 : 0;
+      } else if (Math.abs(innovation) > gate) {
         refused++;
       } else {
         now = now.corrected(slope, innovation, variance);
@@ -130,13 +135,12 @@ public final class RangeFilter {
       }
     }
     return new Correction(
-        used == 0 ? now : now.noSurerThan(SUREST_PLACE, SUREST_HEADING), used, refused);
+        used == 0 ? now : now.noSurerThan(SUREST_PLACE, SUREST_HEADING), used, refused, missed);
   }
 
   /** The face that a range is expected to be of; empty where it would tell nothing. */
   private Optional<Hit> face(PoseEstimate estimate, Range range, Walls walls) {
     if (range.metres() <= body.nearest()
-        || range.metres() >= body.farthest()
         || estimate.positionDeviation() > MOST_UNCERTAIN
         || estimate.headingDeviation() > MOST_UNCERTAIN) {
       return Optional.empty();

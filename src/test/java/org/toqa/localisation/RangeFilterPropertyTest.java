@@ -111,7 +111,7 @@ class RangeFilterPropertyTest {
 
     Correction correction = filter.corrected(estimate, List.of(near), ROOM);
 
-    assertEquals(new Correction(estimate, 0, 1), correction);
+    assertEquals(new Correction(estimate, 0, 1, 0), correction);
   }
 
   @Test
@@ -127,7 +127,7 @@ class RangeFilterPropertyTest {
     assertUnused(
         PoseEstimate.of(aslant, 0.01, 0.01), List.of(new Range(ahead, 2.57, DEVIATION)), ROOM);
     Pose middle = new Pose(2, 1.5, 0);
-    for (double nothing : new double[] {0, 0.02, 5, 7}) {
+    for (double nothing : new double[] {0, 0.02}) {
       assertUnused(
           PoseEstimate.of(middle, 0.01, 0.01), List.of(new Range(ahead, nothing, DEVIATION)), ROOM);
     }
@@ -135,7 +135,21 @@ class RangeFilterPropertyTest {
     assertUnused(PoseEstimate.of(new Pose(-1, 1, 0), 0.01, 0.01), two, ROOM);
   }
 
+  /** A wall that is 2 m ahead, and one at the end of what the sensor sees. */
+  @Test
+  void whoSeesNothingWhereAWallShouldBeMissesIt() {
+    PoseEstimate middle = PoseEstimate.of(new Pose(2, 1.5, 0), 0.01, 0.01);
+    Pose ahead = new Pose(0, 0, 0);
+    for (double nothing : new double[] {5, 7}) {
+      List<Range> ranges = List.of(new Range(ahead, nothing, DEVIATION));
+      assertEquals(new Correction(middle, 0, 0, 1), filter.corrected(middle, ranges, ROOM));
+    }
+    RangeFilter shortSighted = new RangeFilter(new RangeFilter.Body(0.2, 1e-4, 0.02, 2.01));
+    List<Range> ranges = List.of(new Range(ahead, 2.01, DEVIATION));
+    assertEquals(new Correction(middle, 0, 0, 0), shortSighted.corrected(middle, ranges, ROOM));
+  }
+
   private void assertUnused(PoseEstimate estimate, List<Range> ranges, Walls walls) {
-    assertEquals(new Correction(estimate, 0, 0), filter.corrected(estimate, ranges, walls));
+    assertEquals(new Correction(estimate, 0, 0, 0), filter.corrected(estimate, ranges, walls));
   }
 }

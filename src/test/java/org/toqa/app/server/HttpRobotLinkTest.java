@@ -60,6 +60,12 @@ class HttpRobotLinkTest {
   private final AtomicLong seq = new AtomicLong();
   private final ScheduledExecutorService pings = Executors.newScheduledThreadPool(1);
   private final PublishedRanges ranges = new PublishedRanges(System::nanoTime);
+
+  /** A room, as its map has it, and as it is. */
+  private Walls map = new GridWalls(new OccupancyGrid(60, 80, 0.1, Vec2.ZERO, new BitSet()));
+
+  private Walls walls = map;
+  private boolean isSomebodyBehind = true;
   private HttpRobotLinks links;
   private SimulatedHttpRobot robot;
   private @Nullable RobotLink link;
@@ -83,7 +89,19 @@ class HttpRobotLinkTest {
   private SimulatedHttpRobot.Settings settings(int port, @Nullable Path body) {
     SimulatedHttpRobot.Settings usual = SimulatedHttpRobot.Settings.of(TOKEN, START);
     return new SimulatedHttpRobot.Settings(
-        usual.address(), port, TOKEN, null, body, START, 0.005, 0, 1, 5, Duration.ZERO, List.of(), null);
+        usual.address(),
+        port,
+        TOKEN,
+        null,
+        body,
+        START,
+        0.005,
+        0,
+        1,
+        5,
+        Duration.ZERO,
+        List.of(),
+        null);
   }
 
   @AfterEach
@@ -183,9 +201,41 @@ class HttpRobotLinkTest {
     List<Segment> metre = List.of(new Segment(0.25, 0, 4));
     opened.send(new Drive(seq.incrementAndGet(), 5L, 1, said, metre, 1, true, 0));
 
-    State lost = heard.await(State.class, state -> state.mode() == Mode.ERROR);
+    State lost = heard.await(State.class, HttpRobotLinkTest::isLost);
+    assertEquals(Mode.ERROR, lost.mode());
     assertFalse(lost.localised());
-    assertEquals("PLACE_LOST", lost.errors().getFirst().code());
+  }
+
+  /**
+   * It takes itself to be before the walls of its room, and is in a hall that has none in sight.
+   */
+  @Test
+  void whoSeesNothingWhereWallsShouldBeIsLost() throws Exception {
+    walls = new GridWalls(new OccupancyGrid(600, 600, 0.1, new Vec2(-30, -30), new BitSet()));
+    RobotLink opened = connectWithSonar();
+    locateAndDrive(opened, List.of(new Segment(0.25, 0, 4)));
+
+    assertFalse(heard.await(State.class, HttpRobotLinkTest::isLost).localised());
+  }
+
+  /** Nothing is in sight, and nothing should be: it drives by its counts, however far. */
+  @Test
+  void inAWideHallNobodyIsLostWhoSeesNothing() throws Exception {
+    map = new GridWalls(new OccupancyGrid(600, 600, 0.1, new Vec2(-30, -30), new BitSet()));
+    walls = map;
+    isSomebodyBehind = false;
+    RobotLink opened = connectWithSonar();
+    locateAndDrive(opened, List.of(new Segment(0.25, 0, 4)));
+
+    heard.await(Done.class);
+
+    State end = heard.await(State.class, state -> state.mode() == Mode.IDLE);
+    assertTrue(end.localised());
+    assertEquals(4, end.pose().x(), 0.02);
+  }
+
+  private static boolean isLost(State state) {
+    return state.errors().stream().anyMatch(error -> error.code().equals("PLACE_LOST"));
   }
 
   private RobotLink connectWithSonar() throws Exception {
@@ -195,25 +245,38 @@ class HttpRobotLinkTest {
     robot =
         new SimulatedHttpRobot(
             new SimulatedHttpRobot.Settings(
-                usual.address(), 0, TOKEN, null, null, START, 0, 0.03, 2, 5, Duration.ZERO, List.of(), sonar));
-    Walls room = new GridWalls(new OccupancyGrid(60, 80, 0.1, Vec2.ZERO, new BitSet()));
+                usual.address(),
+                0,
+                TOKEN,
+                null,
+                null,
+                START,
+                0,
+                0.03,
+                2,
+                5,
+                Duration.ZERO,
+                List.of(),
+                sonar));
     RobotLink opened = connect();
     heard.await(Hello.class);
-    var _ = pings.scheduleAtFixedRate(() -> publish(room), 0, 50, TimeUnit.MILLISECONDS);
+    var _ = pings.scheduleAtFixedRate(this::publish, 0, 50, TimeUnit.MILLISECONDS);
     return opened;
   }
 
-  /** What four sensors on its rim see of the room, ahead, to both sides and back. */
-  private void publish(Walls room) {
+  /** What four sensors on its rim see of the walls, ahead, to both sides and back. */
+  private void publish() {
     Pose truth = robot.truePose();
     List<Double> angles = List.of(0.0, Math.PI / 2, Math.PI, -Math.PI / 2);
     List<Double> metres = new ArrayList<>();
     for (double angle : angles) {
       Pose rim = new Pose(0.1275 * Math.cos(angle), 0.1275 * Math.sin(angle), angle);
       metres.add(
-          angle == Math.PI ? 0.6 : room.hit(truth.compose(rim), 20).orElseThrow().distance());
+          angle == Math.PI && isSomebodyBehind
+              ? 0.6
+              : walls.hit(truth.compose(rim), 20).map(Walls.Hit::distance).orElse(20.0));
     }
-    ranges.put("h1", metres, angles, () -> Optional.of(room));
+    ranges.put("h1", metres, angles, () -> Optional.of(map));
   }
 
   @Test
@@ -321,7 +384,19 @@ class HttpRobotLinkTest {
     robot =
         new SimulatedHttpRobot(
             new SimulatedHttpRobot.Settings(
-                usual.address(), 0, TOKEN, identity, null, START, 0, 0, 1, 5, Duration.ZERO, List.of(), null));
+                usual.address(),
+                0,
+                TOKEN,
+                identity,
+                null,
+                START,
+                0,
+                0,
+                1,
+                5,
+                Duration.ZERO,
+                List.of(),
+                null));
     RobotLink distrustful = connect(TOKEN, new Fingerprint("0".repeat(64)));
     String sentence = heard.await(LinkRecorder.Refusal.class).sentence();
     assertTrue(sentence.contains("another certificate"), sentence);

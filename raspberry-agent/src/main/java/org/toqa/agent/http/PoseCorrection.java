@@ -94,7 +94,7 @@ final class PoseCorrection {
     RangeFilter.Correction correction =
         filter.corrected(now, ranges(measured, twist), measured.walls());
     used += correction.used();
-    refused += correction.refused();
+    refused += correction.refused() + correction.missed();
     judge();
     if (correction.used() == 0) {
       return Optional.empty();
