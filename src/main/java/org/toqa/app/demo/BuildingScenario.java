@@ -17,6 +17,7 @@ import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Predicate;
 import java.util.function.Supplier;
+import java.util.stream.Stream;
 import org.toqa.agent.chassis.Surroundings;
 import org.toqa.app.robot.SimulatedHttpRobot;
 import org.toqa.app.server.FleetServer;
@@ -52,6 +53,16 @@ final class BuildingScenario implements AutoCloseable {
 
   private static final double FOOTPRINT = 0.255;
   private static final double MAX_LOAD = 5;
+
+  /** Standard deviations, as shares: of what a wheel turns, and of its size. */
+  private static final double SLIP = 0.01;
+
+  private static final double SIZE_ERROR = 0.001;
+
+  /** Radians, from right to left: where the range sensors look by which it avoids things. */
+  private static final List<Double> RANGE_ANGLES =
+      Stream.of(-90, -50, -25, -10, 0, 10, 25, 50, 90).map(Math::toRadians).toList();
+
   private static final int READY_SECONDS = 60;
 
   /** Between which somebody walks on the first floor, metres, map frame. */
@@ -148,8 +159,7 @@ final class BuildingScenario implements AutoCloseable {
     Pose start = new Pose(parking.position().x(), parking.position().y(), Math.PI / 2);
     Surroundings surroundings = world.surroundings(name, FOOTPRINT / 2);
     RobotToken token = RobotToken.random();
-    SimulatedHttpRobot robot =
-        new SimulatedHttpRobot(SimulatedHttpRobot.Settings.of(token, start), surroundings);
+    SimulatedHttpRobot robot = new SimulatedHttpRobot(settings(token, start), surroundings);
     parts.add(robot);
     accepted(
         fleet.addRobot(
@@ -188,6 +198,25 @@ final class BuildingScenario implements AutoCloseable {
           () -> view(toqa.fleet(), floor, post, ""));
       Thread.ofVirtual().name("walker").start(() -> walk(world));
     }
+  }
+
+  /** A robot that slips, whose place ranges correct, and that sees what is round it. */
+  private static SimulatedHttpRobot.Settings settings(RobotToken token, Pose start) {
+    SimulatedHttpRobot.Settings exact = SimulatedHttpRobot.Settings.of(token, start);
+    return new SimulatedHttpRobot.Settings(
+        exact.address(),
+        exact.port(),
+        token,
+        null,
+        null,
+        start,
+        SLIP,
+        SIZE_ERROR,
+        exact.seed(),
+        MAX_LOAD,
+        exact.delay(),
+        RANGE_ANGLES,
+        UltrasonicSensors.SONAR);
   }
 
   /**

@@ -6,18 +6,21 @@ import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Supplier;
 import org.toqa.agent.chassis.Surroundings;
-import org.toqa.avoidance.RangeSensors;
 import org.toqa.geometry.Pose;
+import org.toqa.link.http.RobotDescription;
 import org.toqa.telemetry.mqtt.ReadingPublisher;
 import tools.jackson.databind.json.JsonMapper;
 
 /**
- * Three ultrasonic sensors of a simulated robot, which look ahead and 20 degrees aside from its
+ * Four ultrasonic sensors of a simulated robot, which look ahead, to both sides and back from its
  * rim: publishes ten times a second by MQTT what they measure, as {@code docs/telemetry.md} says.
  */
 final class UltrasonicSensors implements AutoCloseable {
+  /** Metres; what is farther is not seen. Standard deviation of the map from the floor, metres. */
+  static final RobotDescription.Sonar SONAR = new RobotDescription.Sonar(4, 0.02);
+
   /** Radians, from right to left. */
-  private static final List<Double> ANGLES = List.of(-Math.toRadians(20), 0.0, Math.toRadians(20));
+  private static final List<Double> ANGLES = List.of(-Math.PI / 2, 0.0, Math.PI / 2, Math.PI);
 
   private static final long PERIOD_MILLIS = 100;
 
@@ -69,7 +72,7 @@ final class UltrasonicSensors implements AutoCloseable {
     Pose robot = truth.get();
     for (double angle : ANGLES) {
       Pose rim = new Pose(radius * Math.cos(angle), radius * Math.sin(angle), angle);
-      metres.add(surroundings.distance(robot.compose(rim), RangeSensors.FARTHEST));
+      metres.add(surroundings.distance(robot.compose(rim), SONAR.farthest()));
     }
     publisher.publish(
         "range",
