@@ -30,6 +30,8 @@ public record RangeSensors(List<Pose> beams) {
 
   private static final double BESIDE = 0.01;
 
+  private static final double MOST_OFF_SQUARE = Math.toRadians(10);
+
   private static final double ASIDE = Math.toRadians(20);
 
   /** Radians from the robot's heading, from right to left. */
@@ -59,6 +61,16 @@ public record RangeSensors(List<Pose> beams) {
         angles.stream()
             .map(angle -> new Pose(radius * Math.cos(angle), radius * Math.sin(angle), angle))
             .toList());
+  }
+
+  /** Whether some look at right angles to the robot's heading, to the left and to the right. */
+  public boolean lookToBothSides() {
+    return beams.stream().anyMatch(beam -> isSquare(beam.theta() - Math.PI / 2))
+        && beams.stream().anyMatch(beam -> isSquare(beam.theta() + Math.PI / 2));
+  }
+
+  private static boolean isSquare(double off) {
+    return Math.abs(off) <= MOST_OFF_SQUARE;
   }
 
   /**

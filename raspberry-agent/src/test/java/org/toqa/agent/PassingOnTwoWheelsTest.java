@@ -57,8 +57,7 @@ class PassingOnTwoWheelsTest {
         new Rig(
             folder,
             DriveKind.DIFFERENTIAL,
-            new ChassisConfig.Simulated(
-                Rig.START, SimulatedBattery.FULL, 0, 7, 1, things, ANGLES),
+            new ChassisConfig.Simulated(Rig.START, SimulatedBattery.FULL, 0, 7, 1, things, ANGLES),
             chassis -> chassis);
     server = rig.connect();
     server.assertAccepted(

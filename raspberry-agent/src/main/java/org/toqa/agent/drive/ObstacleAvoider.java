@@ -47,6 +47,10 @@ public final class ObstacleAvoider {
 
   private final double radius;
   private final double mostAside;
+
+  /** Whether it sees what it drives round until that is behind it. */
+  private final boolean canPass;
+
   private final RangeSensors sensors;
   private final DetectionMemory blockingSightings = new DetectionMemory();
   private final DetectionMemory nearSightings = new DetectionMemory();
@@ -84,6 +88,7 @@ public final class ObstacleAvoider {
   public ObstacleAvoider(double radius, DriveKind kind, RangeSensors sensors, double braking) {
     this.radius = radius;
     this.mostAside = kind.canGoSideways() ? Sidestep.MAX_OFFSET : 0;
+    this.canPass = kind.canGoSideways() || sensors.lookToBothSides();
     this.sensors = sensors;
     this.bypass = new Bypass(radius, kind.canGoSideways());
     this.guard = kind.canGoSideways() ? null : new ContactGuard(sensors, radius, braking);
@@ -136,7 +141,7 @@ public final class ObstacleAvoider {
    * @param onward whether the robot may move
    */
   public void avoidObstacles(ReferenceTrajectory trajectory, double seconds, boolean onward) {
-    mayPass = true;
+    mayPass = canPass;
     if (room != null) {
       passInRoom(room, trajectory, seconds, onward);
       return;

@@ -74,7 +74,8 @@ public final class HttpChassis implements Chassis {
 
   private static final Fault BLIND =
       new Fault(
-          "RANGE_SENSORS", "The robot says that it has range sensors, and does not tell a range of each.");
+          "RANGE_SENSORS",
+          "The robot says that it has range sensors, and does not tell a range of each.");
 
   private final HttpRobotClient robot;
   private final RobotDescription body;
