@@ -437,8 +437,10 @@ final class ChargingDispatcher {
 
   private void waitForTurn(FloorRobot robot, Place point, List<FloorRobot> ahead) {
     robot.charging.setCharging(false);
+    if (!robot.charging.isAwaitingTurn()) {
+      robot.drive.dropGoalWithoutTask(); // it drives home meanwhile
+    }
     robot.charging.setAwaitingTurn(true);
-    robot.drive.dropGoalWithoutTask(); // it may drive home meanwhile
     chargingMission(robot).map(Mission::id).ifPresent(robot.drive::dropGoal);
     setStatus(robot, Phrase.AWAITS_CHARGER.with(chargerSentence(point, ahead)));
     if (!robot.isFit() || isBoundToCharger(robot)) {
