@@ -47,7 +47,7 @@ final class Guidance {
   private static final int STACKS = 256;
 
   /** How far beyond the robot distances are known, for when it is pushed aside. */
-  private static final int MARGIN = 32 * STEP;
+  static final int MARGIN = 32 * STEP;
 
   private final StateGraph graph;
 
