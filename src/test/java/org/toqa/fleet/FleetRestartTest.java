@@ -181,6 +181,7 @@ class FleetRestartTest extends HallFleetTest {
     until(view -> robot(view, "r1").state() == RobotState.IDLE);
     accepted(stage.fleet.takeOutOfService("r1", "Max"));
     long task = submit("West", "East");
+    stage.awaitQuiescence(); // all that followed is stored: nothing writes the row once more
     stage.database.jdbi().useHandle(h -> h.execute("update tasks set floor = 'old hall'"));
 
     stage.restart();
