@@ -28,6 +28,10 @@ class CommandLineTest {
         Arguments.of(List.of("demo", "--robots", "six"), "\"six\" is not a whole number"),
         Arguments.of(List.of("demo", "--report", "no/such/folder"), "that can be written"),
         Arguments.of(List.of("demo", "--bodies", "no/such/folder"), "that can be written"),
+        Arguments.of(
+            List.of("demo", "--scenario", "store", "--firmware"), "does not go with --firmware"),
+        Arguments.of(
+            List.of("demo", "--scenario", "building", "--speed", "2"), "it goes with neither"),
         Arguments.of(List.of("plan", "--map", "nowhere.yaml"), "--from"),
         Arguments.of(List.of("plan", "--bogus"), "\"--bogus\" is not known"),
         Arguments.of(List.of("gateway"), "--config"),

@@ -249,6 +249,11 @@ public final class DemoCommand implements Callable<Integer> {
     if (sequential && !isStore()) {
       throw new ConfigurationException("--sequential goes with --scenario store only.");
     }
+    if (isStore() && firmware) {
+      throw new ConfigurationException(
+          "--scenario store simulates arms together with the boxes that they take: it does not go"
+              + " with --firmware.");
+    }
     boolean isWithSimulation = speed.value() != null || firmware || bodies != null;
     if (isBuilding() && isWithSimulation) {
       throw new ConfigurationException(
