@@ -59,10 +59,13 @@ final class RobotConnection implements AutoCloseable {
   private long unreadableLogged = System.nanoTime() - UNREADABLE_LOG_INTERVAL.toNanos();
 
   /**
+   * A line of the robot.
+   *
+   * @param message null: the line cannot be understood
    * @param superseded states that were passed over before it, for newer ones had come
-   * @param unreadable lines that were passed over before it, for they said nothing that counts
+   * @param fault what is wrong with a line that cannot be understood
    */
-  record Received(AgentMessage message, int superseded, int unreadable) {}
+  record Received(@Nullable AgentMessage message, int superseded, @Nullable String fault) {}
 
   /**
    * Connects; waits for it.
@@ -92,7 +95,7 @@ final class RobotConnection implements AutoCloseable {
    * @throws LinkException if it is no hello, or not that of the robot
    */
   Hello readHello() throws LinkException {
-    AgentMessage first = readFirstMessage();
+    @Nullable AgentMessage first = readFirstMessage();
     if (!(first instanceof Hello hello)) {
       throw new LinkException(Phrase.SAYS_NO_HELLO.with(hostAndPort, robot));
     }
@@ -112,7 +115,7 @@ final class RobotConnection implements AutoCloseable {
   }
 
   /** A paired daemon waits for who shows who he is, and ends the connection then. */
-  private AgentMessage readFirstMessage() throws LinkException {
+  private @Nullable AgentMessage readFirstMessage() throws LinkException {
     long since = System.nanoTime();
     try {
       return readNext().message();
@@ -135,35 +138,30 @@ final class RobotConnection implements AutoCloseable {
   }
 
   /**
-   * The next valid message, of several states that have come the newest; waits for it.
+   * The next line, of several states that have come the newest; waits for it.
    *
    * @throws LinkException if the connection ends, nothing comes for too long, or what comes first
    *     cannot be understood
    */
   Received readNext() throws LinkException {
     int superseded = 0;
-    long readable = unreadable;
     try {
-      while (true) {
-        LineReader.Line line = nextLine();
-        while (channel.hasLine()) {
-          LineReader.Line next = nextLine();
-          if (!StateLines.isSuperseded(line, next)) {
-            ahead = next;
-            break;
-          }
-          line = next;
-          superseded++;
+      LineReader.Line line = nextLine();
+      while (channel.hasLine()) {
+        LineReader.Line next = nextLine();
+        if (!StateLines.isSuperseded(line, next)) {
+          ahead = next;
+          break;
         }
-        waitForTurn(superseded > 0);
-        AgentMessage message = decode(line);
-        if (message != null) {
-          return new Received(message, superseded, (int) (unreadable - readable));
-        }
-        if (!hasGreeted) {
-          throw new LinkException(objectionToFirst(line));
-        }
+        line = next;
+        superseded++;
       }
+      waitForTurn(superseded > 0);
+      AgentMessage message = decode(line);
+      if (message == null && !hasGreeted) {
+        throw new LinkException(objectionToFirst(line));
+      }
+      return new Received(message, superseded, message == null ? fault : null);
     } catch (SocketTimeoutException e) {
       throw new LinkException(Phrase.HAS_FALLEN_SILENT.with(robot, SILENCE_TIMEOUT.toSeconds()));
     } catch (IOException e) {

@@ -45,6 +45,13 @@ public interface RobotLink extends AutoCloseable {
     void passedOver(int states, int unreadable);
 
     /**
+     * What is wrong with a line that makes no sense.
+     *
+     * @param fault a sentence
+     */
+    default void misunderstood(String fault) {}
+
+    /**
      * @param why and what to do
      */
     void disconnected(Sentence why);

@@ -2,6 +2,7 @@ package org.toqa.link;
 
 import org.jspecify.annotations.Nullable;
 import org.toqa.link.channel.Backoff;
+import org.toqa.link.message.AgentMessage;
 import org.toqa.link.message.ServerMessage;
 import org.toqa.wording.Phrase;
 import org.toqa.wording.Sentence;
@@ -63,10 +64,15 @@ final class TcpRobotLink implements RobotLink {
       listener.connected(hello);
       while (!closed) {
         RobotConnection.Received next = opened.readNext();
-        if (next.superseded() + next.unreadable() > 0) {
-          listener.passedOver(next.superseded(), next.unreadable());
+        String fault = next.fault();
+        if (next.superseded() > 0 || fault != null) {
+          listener.passedOver(next.superseded(), fault == null ? 0 : 1);
         }
-        if (!listener.received(next.message())) {
+        if (fault != null) {
+          listener.misunderstood(fault);
+        }
+        AgentMessage message = next.message();
+        if (message != null && !listener.received(message)) {
           throw new LinkException(Phrase.SENDS_MORE_THAN_CAN_BE_TAKEN.with(address.robot()));
         }
       }

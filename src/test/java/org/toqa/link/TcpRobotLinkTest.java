@@ -68,6 +68,21 @@ class TcpRobotLinkTest {
     }
   }
 
+  /** Also where nothing else comes that can be understood. */
+  @Test
+  void whatIsWrongWithALineIsTold() throws Exception {
+    try (Socket socket = greet()) {
+      say(
+          socket,
+          """
+          {"type":"state","stamp":0,"localised":true,"pose":{"x":1,"y":1,"theta":0},\
+          "twist":{"v":0,"w":0},"mode":"IDLE","task":null,"phase":0,"role":"ALONE","drive":0,\
+          "segment":0,"released":0,"battery":1.7,"ranges":[],"obstacles":[],"errors":[]}""");
+      assertEquals("The battery of the state is not from 0 to 1.", heard.nextFault());
+      assertTrue(heard.isEmpty());
+    }
+  }
+
   @Test
   void linkConnectsAgainByItself() throws Exception {
     greet().close();

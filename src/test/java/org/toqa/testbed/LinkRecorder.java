@@ -18,6 +18,7 @@ public final class LinkRecorder implements RobotLink.Listener {
 
   private final AtomicLong passedOver = new AtomicLong();
   private volatile boolean isFull;
+  private final BlockingQueue<String> faults = new LinkedBlockingQueue<>();
   private final BlockingQueue<Object> told = new LinkedBlockingQueue<>();
 
   /** That the link ended. */
@@ -40,6 +41,18 @@ public final class LinkRecorder implements RobotLink.Listener {
   @Override
   public void passedOver(int states, int unreadable) {
     passedOver.addAndGet(states);
+  }
+
+  @Override
+  public void misunderstood(String fault) {
+    faults.add(fault);
+  }
+
+  /** What is wrong with the next line that makes no sense. */
+  public String nextFault() throws InterruptedException {
+    String next = faults.poll(LIMIT_SECONDS, TimeUnit.SECONDS);
+    assertNotNull(next, "nothing was wrong");
+    return next;
   }
 
   /** From now on it can take nothing more. */

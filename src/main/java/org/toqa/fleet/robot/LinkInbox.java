@@ -35,6 +35,9 @@ final class LinkInbox implements RobotLink.Listener {
   /** The last state that waits. */
   private @Nullable State newest;
 
+  /** What is wrong with a line that has come since the last state. */
+  private @Nullable String fault;
+
   private boolean isWoken;
   private long superseded;
   private long unreadable;
@@ -63,6 +66,11 @@ final class LinkInbox implements RobotLink.Listener {
       newest = null;
     }
     return next;
+  }
+
+  /** What is wrong with what the robot has said since its last state; null: nothing. */
+  synchronized @Nullable String fault() {
+    return fault;
   }
 
   /** What was passed over since the last call. */
@@ -98,6 +106,7 @@ final class LinkInbox implements RobotLink.Listener {
         superseded++;
       }
       newest = state;
+      fault = null;
     }
     if (waiting.size() >= CAPACITY) {
       overflows++;
@@ -111,6 +120,11 @@ final class LinkInbox implements RobotLink.Listener {
   public synchronized void passedOver(int states, int lines) {
     superseded += states;
     unreadable += lines;
+  }
+
+  @Override
+  public synchronized void misunderstood(String what) {
+    fault = what;
   }
 
   @Override
@@ -143,6 +157,7 @@ final class LinkInbox implements RobotLink.Listener {
   private void clear() {
     waiting.clear();
     newest = null;
+    fault = null;
   }
 
   private static Set<String> faults(State state) {
