@@ -13,6 +13,7 @@ import org.toqa.link.message.AgentMessage.Mode;
  * @param heard now
  * @param localised whether it says that it knows where it is
  * @param mode as it says
+ * @param leftOut since it does not do what it is told
  * @param charging whether it is at its charging point and is the first one there
  */
 public record RobotCondition(
@@ -21,6 +22,7 @@ public record RobotCondition(
     boolean heard,
     boolean localised,
     Mode mode,
+    boolean leftOut,
     boolean charging) {
 
   public RobotState state() {
@@ -35,6 +37,9 @@ public record RobotCondition(
     }
     if (!localised) {
       return RobotState.NOT_LOCALISED;
+    }
+    if (leftOut) {
+      return RobotState.ERROR;
     }
     return switch (mode) {
       case IDLE -> charging ? RobotState.CHARGING : RobotState.IDLE;

@@ -23,8 +23,7 @@ import org.toqa.wording.Sentence;
  * @param path the rest of its path; {@link RemainingPath#NONE} when it is stopped
  * @param alert why a person must look at it beside its errors: it and the server do not trust each
  *     other, or it cannot reach a charging point; null: nothing is wrong
- * @param unreachable why it is not connected, and what to do; null: it is, or has not been tried
- *     yet
+ * @param unreachable why it is not heard, and what to do; null: it is, or has not been tried yet
  */
 public record RobotView(
     RobotRecord record,

@@ -126,7 +126,8 @@ public final class Conditions {
           NoticeKind.ROBOT_LOST, robot, "", why == null ? Phrase.NOTICE_ROBOT_LOST.with() : why);
     } else {
       faults.forEach(fault -> addFault(robot, fault));
-      if (robot.state() == RobotState.ERROR && faults.isEmpty()) {
+      boolean isLeftOut = robot.work().doing().phrase() == Phrase.IS_LEFT_OUT;
+      if (robot.state() == RobotState.ERROR && (faults.isEmpty() || isLeftOut)) {
         addRobot(NoticeKind.ROBOT_ERROR, robot, "", robot.work().doing());
       }
       if (robot.state() == RobotState.NOT_LOCALISED) {

@@ -1,10 +1,12 @@
 package org.toqa.fleet;
 
 import java.util.List;
+import java.util.function.Predicate;
 import org.jspecify.annotations.Nullable;
 import org.toqa.geometry.Vec2;
 import org.toqa.link.message.AgentMessage.Fault;
 import org.toqa.link.message.AgentMessage.RoomUse;
+import org.toqa.link.message.ServerMessage.Command;
 import org.toqa.motion.DriveKind;
 import org.toqa.motion.PassingRoom;
 import org.toqa.motion.Segment;
@@ -39,6 +41,18 @@ final class ScriptedCondition {
   boolean stuck;
   boolean endsBeforeNextChange;
   boolean refusesClear;
+
+  /** What it answers with {@code reject}, beside what it cannot do. */
+  Predicate<Command> refused = _ -> false;
+
+  /** Whether it hears no command, but reports. */
+  boolean deaf;
+
+  /** Whether it is so over this connection only. */
+  boolean hearsOverAnother;
+
+  /** What is wrong with its states; null: nothing. */
+  @Nullable String stateFault;
 
   /** Whether it does not hear that the formation which it follows has ended. */
   boolean missesEnd;

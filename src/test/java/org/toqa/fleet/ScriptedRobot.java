@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Objects;
 import java.util.function.Function;
+import java.util.function.Predicate;
 import org.jspecify.annotations.Nullable;
 import org.toqa.arm.Arm;
 import org.toqa.arm.ArmStep;
@@ -215,6 +216,30 @@ public final class ScriptedRobot {
     condition.stays = true;
   }
 
+  /** From now on it answers such commands with {@code reject}. */
+  synchronized void refuse(Predicate<Command> commands) {
+    condition.refused = commands;
+  }
+
+  /**
+   * From now on it reports, but hears no command.
+   *
+   * @param overThisConnectionOnly as where one half of that is dead
+   */
+  synchronized void goDeaf(boolean overThisConnectionOnly) {
+    condition.deaf = true;
+    condition.hearsOverAnother = overThisConnectionOnly;
+  }
+
+  /**
+   * Its states cannot be understood.
+   *
+   * @param fault what is wrong with them; null: they can again
+   */
+  synchronized void setStateFault(@Nullable String fault) {
+    condition.stateFault = fault;
+  }
+
   /** As one does whose stops have just changed. */
   synchronized void refuseToClear() {
     condition.refusesClear = true;
@@ -282,6 +307,7 @@ public final class ScriptedRobot {
   synchronized RobotLink link(RobotLink.Listener heard) {
     listener = heard;
     connected = false;
+    condition.deaf &= !condition.hearsOverAnother;
     return new RobotLink() {
       @Override
       public void send(ServerMessage message) {
@@ -326,7 +352,13 @@ public final class ScriptedRobot {
       drive.end();
       formation.endLeading();
     }
-    listener.received(state());
+    String stateFault = condition.stateFault;
+    if (stateFault == null) {
+      listener.received(state());
+    } else {
+      listener.passedOver(0, 1);
+      listener.misunderstood(stateFault);
+    }
     Done done = drive.done();
     if (done != null) {
       listener.received(done);
@@ -362,7 +394,7 @@ public final class ScriptedRobot {
   }
 
   private synchronized void hear(ServerMessage message) {
-    if (!connected) {
+    if (!connected || condition.deaf) {
       return;
     }
     if (message instanceof Clear && condition.lostClears-- > 0) {
@@ -392,6 +424,10 @@ public final class ScriptedRobot {
       if (command instanceof Room && condition.refusesRoom) {
         condition.hasRefusedRoom = true;
         say(new Reject(command.seq(), "There is no drive any more."));
+        return;
+      }
+      if (condition.refused.test(command)) {
+        say(new Reject(command.seq(), "No."));
         return;
       }
       if (isTooFast(command)) {

@@ -97,7 +97,7 @@ final class DriveDispatcher {
       setWaitReason(robot, objection);
     } else if (unfollowed.isPresent()) {
       setWaitReason(robot, unfollowed.get());
-    } else if (!isWaiting) {
+    } else if (!isWaiting && !robot.obedience.hasRefused()) {
       setWaitReason(robot, goal == null ? null : trafficWaitReason(robot.name()));
     }
   }
@@ -291,7 +291,9 @@ final class DriveDispatcher {
     } else if (isOnWayOfItsOwn(robot)) {
       robot.cancelDrive();
     }
-    setWaitReason(robot, null);
+    if (!robot.obedience.hasRefused()) {
+      setWaitReason(robot, null);
+    }
   }
 
   /** Whether a follower has a drive from before, as to make room for another robot. */

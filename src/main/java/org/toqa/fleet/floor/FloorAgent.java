@@ -250,6 +250,7 @@ public final class FloorAgent extends AbstractBehavior<FloorMessage> {
     state.formations.updateTraffic();
     for (FloorRobot robot : state.robots.values()) {
       robotEventHandler.updateStoreLimit(robot);
+      robot.obedience.update(time);
       missions.checkRobot(robot);
       holds.updateHold(robot);
       manualDrives.update(robot);

@@ -4,6 +4,7 @@ import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.TreeMap;
 import org.apache.pekko.actor.typed.ActorRef;
@@ -204,7 +205,11 @@ final class FloorReporter {
         case CONNECTING, LOST -> reasons.add(Phrase.NOT_CONNECTED.with(robot.name()));
         case NOT_LOCALISED -> reasons.add(Phrase.NOT_LOCALISED.with(robot.name()));
         case ERROR ->
-            reasons.add(Phrase.ROBOT_AND_CLAUSE.with(robot.name(), Phrase.REPORTS_ERROR.with()));
+            reasons.add(
+                Phrase.ROBOT_AND_CLAUSE.with(
+                    robot.name(),
+                    Objects.requireNonNullElse(
+                        robot.obedience.fault(), Phrase.REPORTS_ERROR.with())));
         case OUT_OF_SERVICE -> reasons.add(Phrase.OUT_OF_SERVICE.with(robot.name()));
         case IDLE, DRIVING, HOLDING, CHARGING -> {
           operationalWaitReason(robot)

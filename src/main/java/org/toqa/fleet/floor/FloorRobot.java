@@ -12,6 +12,7 @@ import org.toqa.fleet.RobotCondition;
 import org.toqa.fleet.RobotRecord;
 import org.toqa.fleet.RobotState;
 import org.toqa.fleet.RobotView;
+import org.toqa.fleet.robot.RobotEvent;
 import org.toqa.fleet.robot.RobotMessage;
 import org.toqa.link.message.AgentMessage.ArmState;
 import org.toqa.link.message.AgentMessage.Fault;
@@ -50,6 +51,8 @@ final class FloorRobot {
 
   /** Who drives it by hand. */
   final ManualControl manual = new ManualControl();
+
+  final Obedience obedience = new Obedience();
 
   /** What its arm was told. */
   final ArmWork arm = new ArmWork();
@@ -172,6 +175,7 @@ final class FloorRobot {
             isHeard(),
             report.localised(),
             report.mode(),
+            obedience.fault() != null,
             charging.isCharging())
         .state();
   }
@@ -208,13 +212,20 @@ final class FloorRobot {
               (reported.pose() == null ? Phrase.NOBODY_KNOWS_WHERE : Phrase.PLACE_STAYS_RESERVED)
                   .with());
       case NOT_LOCALISED -> Phrase.MUST_BE_LOCALISED.with();
-      case ERROR ->
-          reported.report().errors().isEmpty()
-              ? Phrase.HAS_ERROR.with()
-              : Phrase.HAS_FAULT.with(reported.report().errors().getFirst().text());
+      case ERROR -> errorActivity();
       case OUT_OF_SERVICE -> Phrase.STAYS_OUT_OF_SERVICE.with(outOfServicePhrase().with());
       case IDLE, DRIVING, HOLDING, CHARGING -> operationalActivity(work);
     };
+  }
+
+  private Sentence errorActivity() {
+    Sentence fault = obedience.fault();
+    if (reported.mode() != Mode.ERROR && fault != null) {
+      return Phrase.IS_LEFT_OUT.with(fault, RobotEvent.LEFT_OUT_FOR.toMinutes());
+    }
+    return reported.report().errors().isEmpty()
+        ? Phrase.HAS_ERROR.with()
+        : Phrase.HAS_FAULT.with(reported.report().errors().getFirst().text());
   }
 
   private Sentence operationalActivity(@Nullable DriveGoal work) {

@@ -325,6 +325,7 @@ final class OperatorCommandHandler {
       return;
     }
     robot.settings.setInService(m.inService());
+    robot.obedience.reset();
     missions.checkRobot(robot); // while its place is known
     if (clears && state.hasReservedCells(robot)) {
       state.traffic.removeRobot(robot.name());

@@ -82,7 +82,7 @@ final class ReportedState {
     return alert;
   }
 
-  /** Why it is not connected, and what to do; null: it is, or nothing is known yet. */
+  /** Why it is not heard, and what to do; null: it is, or nothing is known yet. */
   @Nullable Sentence unreachable() {
     return unreachable;
   }
@@ -125,19 +125,22 @@ final class ReportedState {
   }
 
   void setReport(AgentMessage.State state, Instant now) {
-    contact = contact.heardAgain();
+    setHeardAgain();
     report = LastReport.of(state, now);
   }
 
   void setHeardAgain() {
     contact = contact.heardAgain();
+    unreachable = isHeard() ? null : unreachable;
   }
 
   /**
+   * @param why what is wrong with what it says instead; null: it says nothing
    * @param now of the time that ticks bring
    */
-  void setSilent(Instant now) {
+  void setSilent(@Nullable Sentence why, Instant now) {
     contact = contact.fallenSilent(now);
+    unreachable = why == null ? unreachable : why;
   }
 
   /**

@@ -5,6 +5,7 @@ import java.time.Instant;
 import java.util.List;
 import java.util.Objects;
 import java.util.Optional;
+import org.jspecify.annotations.Nullable;
 import org.toqa.fleet.EventKind;
 import org.toqa.fleet.FleetStore.StoredDrive;
 import org.toqa.fleet.LastPlace;
@@ -70,7 +71,7 @@ final class RobotEventHandler {
         robot.reported.setAlert(m.why());
         addToHistory(robot, EventKind.ROBOT_LINK_REFUSED, m.why());
       }
-      case RobotEvent.FellSilent m -> robot.reported.setSilent(state.now);
+      case RobotEvent.FellSilent m -> fellSilent(robot, m.fault());
       case RobotEvent.HeardAgain m -> {
         robot.reported.setHeardAgain();
         cancelForeignTask(robot);
@@ -84,6 +85,7 @@ final class RobotEventHandler {
       case RobotEvent.RoomTaken _ -> rooms.taken(robot);
       case RobotEvent.RoomRefused _ -> rooms.refused(robot);
       case RobotEvent.CommandRejected m -> commandRejected(robot, m);
+      case RobotEvent.NotAnswering _ -> robot.obedience.recordNoAnswer(state.now);
       case RobotEvent.ClearRejected m -> {
         robot.cleared.settle();
         addToHistory(robot, EventKind.ROBOT_STOP_NOT_CLEARED, m.why());
@@ -193,6 +195,11 @@ final class RobotEventHandler {
     }
     cancelForeignTask(robot);
     holds.robotConnected(robot);
+  }
+
+  private void fellSilent(FloorRobot robot, @Nullable String fault) {
+    robot.reported.setSilent(
+        fault == null ? null : Phrase.SAYS_WRONG_STATE.with(robot.name(), fault), state.now);
   }
 
   private void stateReported(FloorRobot robot, AgentMessage.State said) {
@@ -353,6 +360,7 @@ final class RobotEventHandler {
 
   /** A drive may be so short that no state of the robot ever tells of it. */
   private static void driveAccepted(FloorRobot robot, long drive) {
+    robot.obedience.reset();
     if (robot.drive.settle(drive)) {
       Long task = robot.drive.order().storedDrive().orElseThrow().task();
       robot.reported.setDrive(drive, task); // a cancel must name it
@@ -361,6 +369,9 @@ final class RobotEventHandler {
 
   /** A drive may have ended while a change of it was being sent; its next state tells. */
   private void commandRejected(FloorRobot robot, RobotEvent.CommandRejected m) {
+    if (m.isDrive()) {
+      robot.obedience.recordRefusal(m.reason(), state.now);
+    }
     if (m.changing() == null) {
       abandonCommand(robot, m.reason());
     } else {

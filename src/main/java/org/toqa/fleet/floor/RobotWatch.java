@@ -52,6 +52,12 @@ final class RobotWatch {
       }
       return Optional.of(new MissionEvent.RobotFailed(robot.name(), errorClause(robot), place));
     }
+    Sentence fault = robot.obedience.fault();
+    if (fault != null) {
+      return robot.reported.isMoving()
+          ? Optional.empty()
+          : Optional.of(new MissionEvent.RobotFailed(robot.name(), fault, place));
+    }
     return robot.isFit()
         ? Optional.of(new MissionEvent.RobotRecovered(robot.name()))
         : Optional.empty();

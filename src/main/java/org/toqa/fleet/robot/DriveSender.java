@@ -149,6 +149,11 @@ final class DriveSender {
     drive.ifPresent(on -> writer.write(() -> store.saveRoom(robot, on.seq(), null), () -> {}));
   }
 
+  /** Whether that is the number of the last drive. */
+  boolean isDrive(long number) {
+    return drive.filter(last -> last.seq() == number).isPresent();
+  }
+
   /** Whether that is the number of the command by which the robot was lent room last. */
   boolean isRoom(long number) {
     return roomNumber == number;
@@ -211,6 +216,6 @@ final class DriveSender {
   void commandNotStored(RobotMessage.CommandNotStored m) {
     commands.dropNotStored(m.id());
     sendStored();
-    floor.tell(new RobotEvent.CommandRejected(robot, m.changing(), m.reason()));
+    floor.tell(new RobotEvent.CommandRejected(robot, m.changing(), m.reason(), false));
   }
 }

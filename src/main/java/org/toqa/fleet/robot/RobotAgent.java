@@ -48,7 +48,7 @@ public final class RobotAgent extends AbstractBehavior<RobotMessage> {
   private LinkInbox inbox;
 
   private final CommandQueue commands = new CommandQueue(this::send);
-  private final UnansweredCommands unanswered = new UnansweredCommands();
+  private final UnansweredCommands unanswered;
   private final DriveSender drives;
   private final ClearSender clears;
   private final ReportForwarder reports;
@@ -61,6 +61,12 @@ public final class RobotAgent extends AbstractBehavior<RobotMessage> {
   private Instant now;
   private final SilenceDetector silence;
   private Instant lastPing = Instant.MIN;
+
+  /** Whether it was connected anew since it answered last. */
+  private boolean isConnectedAnew;
+
+  /** Until then nobody looks whether it answers. */
+  private Instant leftOutUntil = Instant.MIN;
 
   /**
    * @param writer of its floor, which stores the drives of all its robots
@@ -96,6 +102,7 @@ public final class RobotAgent extends AbstractBehavior<RobotMessage> {
     this.links = links;
     this.now = now;
     this.silence = new SilenceDetector(now);
+    this.unanswered = new UnansweredCommands(now);
     AgentHealth health = AgentHealth.of(context.getSystem());
     RobotAgents.of(context.getSystem()).add(robot, context.getSelf());
     this.drives = new DriveSender(robot.name(), store, writer, commands, floor, context.getSelf());
@@ -120,13 +127,19 @@ public final class RobotAgent extends AbstractBehavior<RobotMessage> {
 
   private Behavior<RobotMessage> handle(RobotMessage message) {
     switch (message) {
-      case RobotMessage.Drive m -> drives.start(m);
+      case RobotMessage.Drive m -> {
+        lookAnew();
+        drives.start(m);
+      }
       case RobotMessage.Lead m ->
           commands.sendInOrder(
               0,
               (n, _) ->
                   new ServerMessage.Lead(n, m.task(), m.tolerance(), m.followers(), m.carries()));
-      case RobotMessage.Follow m -> drives.follow(m);
+      case RobotMessage.Follow m -> {
+        lookAnew();
+        drives.follow(m);
+      }
       case RobotMessage.Extend m -> drives.extend(m);
       case RobotMessage.Release m -> drives.release(m.released());
       case RobotMessage.LendRoom m -> drives.lendRoom(m.room());
@@ -234,14 +247,9 @@ public final class RobotAgent extends AbstractBehavior<RobotMessage> {
   }
 
   private void messageReceived(AgentMessage message) {
-    silence.recordHeard(now);
-    if (silence.isSilent() && hello != null && drives.isLoaded()) {
-      silence.endSilence();
-      log.info("{}: heard again.", robot.name());
-      floor.tell(new RobotEvent.HeardAgain(robot.name()));
-    }
     switch (message) {
       case AgentMessage.State state -> {
+        recordHeard(); // who only answers tells nothing of itself
         lastState = state;
         reports.receive(state);
       }
@@ -259,6 +267,15 @@ public final class RobotAgent extends AbstractBehavior<RobotMessage> {
     }
   }
 
+  private void recordHeard() {
+    silence.recordHeard(now);
+    if (silence.isSilent() && hello != null && drives.isLoaded()) {
+      silence.endSilence();
+      log.info("{}: heard again.", robot.name());
+      floor.tell(new RobotEvent.HeardAgain(robot.name()));
+    }
+  }
+
   private void phaseEnded(AgentMessage.Done done) {
     if (reports.takesPhaseEnd()) {
       reports.flush();
@@ -269,7 +286,7 @@ public final class RobotAgent extends AbstractBehavior<RobotMessage> {
   }
 
   private void rejected(AgentMessage.Reject reject) {
-    Optional<OptionalLong> awaited = unanswered.take(reject.seq());
+    Optional<OptionalLong> awaited = takeAnswer(reject.seq());
     if (awaited.isEmpty() && !reports.takesStrayAnswer()) {
       return;
     }
@@ -283,12 +300,15 @@ public final class RobotAgent extends AbstractBehavior<RobotMessage> {
       OptionalLong changed = awaited.get();
       floor.tell(
           new RobotEvent.CommandRejected(
-              robot.name(), changed.isPresent() ? changed.getAsLong() : null, reject.reason()));
+              robot.name(),
+              changed.isPresent() ? changed.getAsLong() : null,
+              reject.reason(),
+              drives.isDrive(reject.seq())));
     }
   }
 
   private void acknowledged(long seq) {
-    if (unanswered.take(seq).isEmpty()) {
+    if (takeAnswer(seq).isEmpty()) {
       var _ = reports.takesStrayAnswer();
       return;
     }
@@ -297,9 +317,33 @@ public final class RobotAgent extends AbstractBehavior<RobotMessage> {
       reports.flush();
       floor.tell(new RobotEvent.RoomTaken(robot.name()));
     }
-    if (drives.drive().filter(drive -> drive.seq() == seq).isPresent()) {
+    if (drives.isDrive(seq)) {
       reports.flush();
       floor.tell(new RobotEvent.DriveAccepted(robot.name(), seq));
+    }
+  }
+
+  private Optional<OptionalLong> takeAnswer(long seq) {
+    isConnectedAnew &= !unanswered.isOwed(seq);
+    return unanswered.take(seq);
+  }
+
+  /** A connection whose one half is dead is mended so; what was sent over it counts no more. */
+  private void endDeafConnection() {
+    log.warn("{}: does not answer commands.", robot.name());
+    if (isConnectedAnew) {
+      leftOutUntil = now.plus(RobotEvent.LEFT_OUT_FOR);
+      floor.tell(new RobotEvent.NotAnswering(robot.name()));
+    }
+    isConnectedAnew = true;
+    reconnect(robot);
+  }
+
+  /** Who left it out tries it again: it owes nothing from before. */
+  private void lookAnew() {
+    if (leftOutUntil.isAfter(now)) {
+      leftOutUntil = Instant.MIN;
+      unanswered.forgive();
     }
   }
 
@@ -326,10 +370,15 @@ public final class RobotAgent extends AbstractBehavior<RobotMessage> {
     if (hello != null && !lastPing.plus(PING_INTERVAL).isAfter(now)) {
       ping();
     }
+    reports.recordPassedOver(inbox.takePassedOver());
     reports.update();
     clears.repeat(now).ifPresent(this::rejectClear);
+    boolean isOverdue = unanswered.isOverdue(now, hello != null && !silence.isSilent());
+    if (isOverdue && !leftOutUntil.isAfter(now)) {
+      endDeafConnection();
+    }
     if (silence.detectSilence(now)) {
-      floor.tell(new RobotEvent.FellSilent(robot.name(), silence.lastHeard()));
+      floor.tell(new RobotEvent.FellSilent(robot.name(), silence.lastHeard(), inbox.fault()));
     }
   }
 

@@ -1,5 +1,6 @@
 package org.toqa.fleet.robot;
 
+import java.time.Duration;
 import java.time.Instant;
 import java.util.Optional;
 import org.jspecify.annotations.Nullable;
@@ -13,6 +14,9 @@ import org.toqa.wording.Sentence;
 
 /** What a robot's agent tells its floor. */
 public sealed interface RobotEvent {
+  /** So long a robot that does not do what it is told is told nothing new. */
+  Duration LEFT_OUT_FOR = Duration.ofMinutes(5);
+
   /** The name of the robot. */
   String robot();
 
@@ -26,7 +30,12 @@ public sealed interface RobotEvent {
   /** It is not connected, for one end does not trust the other. */
   record LinkRefused(String robot, Sentence why) implements RobotEvent {}
 
-  record FellSilent(String robot, Instant since) implements RobotEvent {}
+  /**
+   * No state of it has come for a while.
+   *
+   * @param fault what is wrong with what has come instead; null: nothing
+   */
+  record FellSilent(String robot, Instant since, @Nullable String fault) implements RobotEvent {}
 
   record HeardAgain(String robot) implements RobotEvent {}
 
@@ -66,7 +75,11 @@ public sealed interface RobotEvent {
 
   /**
    * @param changing the drive that the refused command was to change, if it was such a one
+   * @param isDrive whether the robot itself has refused to begin a drive
    */
-  record CommandRejected(String robot, @Nullable Long changing, String reason)
+  record CommandRejected(String robot, @Nullable Long changing, String reason, boolean isDrive)
       implements RobotEvent {}
+
+  /** It reports, but answers no commands, also over a connection that was made for that. */
+  record NotAnswering(String robot) implements RobotEvent {}
 }
