@@ -7,9 +7,10 @@ import ch.qos.logback.classic.Level;
 import ch.qos.logback.classic.Logger;
 import ch.qos.logback.classic.spi.ILoggingEvent;
 import ch.qos.logback.core.read.ListAppender;
+import java.io.BufferedReader;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
-import java.io.OutputStream;
+import java.io.InputStreamReader;
 import java.net.InetAddress;
 import java.net.ServerSocket;
 import java.net.Socket;
@@ -34,6 +35,7 @@ import org.toqa.grid.FloorMap;
 import org.toqa.grid.OccupancyGrid;
 import org.toqa.grid.Place;
 import org.toqa.link.TcpRobotLinkFactory;
+import org.toqa.link.message.AgentMessage;
 import org.toqa.link.message.AgentMessage.Mode;
 import org.toqa.link.message.AgentMessage.Role;
 import org.toqa.link.message.AgentMessage.Speed;
@@ -41,6 +43,7 @@ import org.toqa.link.message.AgentMessage.State;
 import org.toqa.link.message.DecodeResult.Decoded;
 import org.toqa.link.message.LineReader;
 import org.toqa.link.message.LinkCodec;
+import org.toqa.link.message.ServerMessage;
 import org.toqa.link.trust.IdentityFile;
 import org.toqa.link.trust.LinkTls;
 import org.toqa.store.Database;
@@ -122,9 +125,9 @@ class RobotLinesFuzzTest {
     long lines = 0;
     long understood = 0;
     try (Socket socket = robot.accept()) {
-      drain(socket);
-      socket.getOutputStream().write(correct.get(1)); // a hello of a robot that is idle
-      socket.getOutputStream().write('\n');
+      answerCommands(socket);
+      say(socket, correct.get(1)); // a hello of a robot that is idle
+      say(socket, new byte[] {'\n'});
       while (lines < FuzzRun.INPUTS) {
         ByteArrayOutputStream all = new ByteArrayOutputStream();
         for (int i = 0; i < LINES_AT_ONCE; i++) {
@@ -136,7 +139,7 @@ class RobotLinesFuzzTest {
         lines += LINES_AT_ONCE;
         double battery = lines / LINES_AT_ONCE % 1_000 / 1e3;
         all.writeBytes(LinkCodec.encode(standing(battery)));
-        socket.getOutputStream().write(all.toByteArray());
+        say(socket, all.toByteArray());
         awaitBattery(battery);
       }
     }
@@ -167,17 +170,32 @@ class RobotLinesFuzzTest {
     }
   }
 
-  /** What the server says is of no interest, but a robot that does not read is left. */
-  private static void drain(Socket socket) {
+  /** A robot that does not read is left, and one that answers nothing is connected anew. */
+  private static void answerCommands(Socket socket) {
     Thread.ofVirtual()
         .start(
             () -> {
-              try {
-                socket.getInputStream().transferTo(OutputStream.nullOutputStream());
+              try (BufferedReader lines =
+                  new BufferedReader(
+                      new InputStreamReader(socket.getInputStream(), StandardCharsets.UTF_8))) {
+                for (String line = lines.readLine(); line != null; line = lines.readLine()) {
+                  LineReader.Line read = new LineReader.Text(line.getBytes(StandardCharsets.UTF_8));
+                  if (LinkCodec.decodeServerMessage(read)
+                      instanceof Decoded<ServerMessage>(ServerMessage.Command command)) {
+                    say(socket, LinkCodec.encode(new AgentMessage.Ack(command.seq())));
+                  }
+                }
               } catch (IOException e) {
                 // the test is over
               }
             });
+  }
+
+  /** Whole lines, also of several threads. */
+  private static void say(Socket socket, byte[] lines) throws IOException {
+    synchronized (socket) {
+      socket.getOutputStream().write(lines);
+    }
   }
 
   private static State standing(double battery) {
