@@ -1,6 +1,6 @@
 import {ABOVE, drawLabel, Labels} from '../floor/labels.js';
 import {text} from '../shared/texts.js';
-import {armPoints, drawArm} from './arm.js';
+import {armPoints, drawArm, onMap} from './arm.js';
 import {isOpen} from './fleet-state.js';
 
 const SMALLEST = 11; // pixels of a robot's radius
