@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Objects;
 import java.util.Optional;
+import org.jspecify.annotations.Nullable;
 import org.toqa.wording.Phrase;
 import org.toqa.wording.Sentence;
 
@@ -42,12 +43,27 @@ final class OperatorCommandRules {
               Objection.of(
                   (mission.task().isDrive() ? Phrase.DRIVEN_ALREADY : Phrase.DELIVERED_ALREADY)
                       .with()));
-      case CARRYING ->
-          cancel.choice() == null && mission.ending() == null
-              ? Optional.of(setDownObjection(mission))
-              : Optional.empty();
+      case CARRYING -> objectionToCancelOnBoard(mission, cancel);
       case QUEUED, ASSIGNED, TO_OBJECT -> Optional.empty();
     };
+  }
+
+  /** Who cannot drive carries nothing back, nor stops to be asked where it sets the load down. */
+  private static Optional<Objection> objectionToCancelOnBoard(
+      Mission mission, MissionEvent.Cancel cancel) {
+    LoadChoice choice = choice(mission, cancel);
+    if (choice == LoadChoice.HERE) {
+      return Optional.empty();
+    }
+    Optional<Question> open = mission.question().filter(_ -> TroubleRules.isStranded(mission));
+    if (open.isPresent()) {
+      return open.map(question -> new Objection(question.question(), question));
+    }
+    return choice == null ? Optional.of(setDownObjection(mission)) : Optional.empty();
+  }
+
+  private static @Nullable LoadChoice choice(Mission mission, MissionEvent.Cancel cancel) {
+    return cancel.choice() == null ? mission.ending() : cancel.choice();
   }
 
   private static Objection setDownObjection(Mission mission) {
@@ -97,7 +113,10 @@ final class OperatorCommandRules {
     if (mission.state() != TaskState.CARRYING) {
       return mission.unassignAll(TaskState.CANCELLED, Phrase.CANCELLED_BY.with(event.user()));
     }
-    LoadChoice choice = event.choice();
+    LoadChoice choice = choice(mission, event);
+    if (choice == LoadChoice.HERE && TroubleRules.isStranded(mission)) {
+      return TroubleRules.cancel(mission, event.user());
+    }
     if (choice == null || choice == mission.ending()) {
       return mission.unchangedStep();
     }

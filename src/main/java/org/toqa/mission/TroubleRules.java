@@ -1,6 +1,7 @@
 package org.toqa.mission;
 
 import java.util.List;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
@@ -81,15 +82,29 @@ final class TroubleRules {
               .step(List.of(), Phrase.SAID_TRY_AGAIN.with(event.user(), trouble.robot()));
       case BY_HAND -> endByHand(mission, trouble, event.user());
       case ANOTHER -> requeue(mission, trouble, Phrase.GAVE_TO_ANOTHER.with(event.user()));
-      case CANCEL ->
-          mission
-              .withLoadAt(isCarrying(mission) ? trouble.place() : mission.setDownPlace())
-              .unassignAll(
-                  TaskState.CANCELLED,
-                  isCarrying(mission)
-                      ? Phrase.CANCELLED_LOAD_STAYS.with(event.user(), placeSentence(trouble))
-                      : Phrase.CANCELLED_BY.with(event.user()));
+      case CANCEL -> cancel(mission, trouble, event.user());
     };
+  }
+
+  /** Whether it stands where it is, since one of its robots cannot drive. */
+  static boolean isStranded(Mission mission) {
+    Trouble trouble = mission.trouble();
+    return trouble != null && !trouble.isOfArm();
+  }
+
+  /** Of a mission in trouble: nobody needs to stop, and the load stays where it is. */
+  static Mission.Step cancel(Mission mission, String user) {
+    return cancel(mission, Objects.requireNonNull(mission.trouble()), user);
+  }
+
+  private static Mission.Step cancel(Mission mission, Trouble trouble, String user) {
+    return mission
+        .withLoadAt(isCarrying(mission) ? trouble.place() : mission.setDownPlace())
+        .unassignAll(
+            TaskState.CANCELLED,
+            isCarrying(mission)
+                ? Phrase.CANCELLED_LOAD_STAYS.with(user, placeSentence(trouble))
+                : Phrase.CANCELLED_BY.with(user));
   }
 
   private static Mission.Step endByHand(Mission mission, Trouble trouble, String user) {

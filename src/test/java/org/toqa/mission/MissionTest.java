@@ -412,6 +412,36 @@ class MissionTest {
   }
 
   @Example
+  void withARobotThatCannotDriveTheLoadStaysOrAPersonAnswers() {
+    Mission lost = carrying("r1").apply(new MissionEvent.RobotLost("r1", THERE)).mission();
+    assertCancelledThere(lost);
+    Mission awaited = lost.apply(new MissionEvent.Answer("max", Reply.WAIT)).mission();
+    assertCancelledThere(awaited);
+    for (LoadChoice choice : new LoadChoice[] {null, LoadChoice.BACK}) {
+      MissionEvent.Cancel cancel = new MissionEvent.Cancel("max", choice);
+      assertEquals(lost.question().orElseThrow(), lost.objectionTo(cancel).orElseThrow().needs());
+      assertFalse(lost.apply(cancel).hasChanges());
+    }
+
+    Mission stopping =
+        carrying("r1")
+            .apply(new MissionEvent.Cancel("max", LoadChoice.HERE))
+            .mission()
+            .apply(new MissionEvent.RobotLost("r1", THERE))
+            .mission();
+    assertCancelledThere(stopping);
+    assertEquals(
+        TaskState.CANCELLED,
+        stopping.apply(new MissionEvent.Cancel("max", null)).mission().state());
+  }
+
+  private static void assertCancelledThere(Mission mission) {
+    Mission cancelled = mission.apply(new MissionEvent.Cancel("max", LoadChoice.HERE)).mission();
+    assertEquals(TaskState.CANCELLED, cancelled.state());
+    assertEquals(THERE, cancelled.loadAt());
+  }
+
+  @Example
   void whatIsDeliveredOrEndedIsNotCancelled() {
     Mission delivered =
         carrying("r1").apply(new MissionEvent.PhaseEnded("r1", Phase.TO_GOAL)).mission();

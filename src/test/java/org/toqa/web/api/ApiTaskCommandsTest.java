@@ -110,6 +110,22 @@ class ApiTaskCommandsTest extends ApiTestServer {
   }
 
   @Test
+  void cancelWithALostRobotEndsTheTaskOrNamesTheAnswers() {
+    long task = add(token);
+    String path = "api/v1/tasks/" + task + "/cancel";
+    server.fleet().changeTask(task, TaskState.CARRYING, List.of("r1"), "picked up");
+    server.fleet().loseRobotOf(task);
+
+    HttpResponse<String> asked = post(token, path, "{\"load\":\"back\"}");
+    assertEquals(409, asked.statusCode());
+    assertEquals(
+        "[\"another robot\",\"wait\",\"cancel\"]",
+        JSON.readTree(asked.body()).get("needs").get("answers").toString());
+    HttpResponse<String> cancelled = post(token, path, "{\"load\":\"here\"}");
+    assertEquals("CANCELLED", JSON.readTree(cancelled.body()).get("state").stringValue());
+  }
+
+  @Test
   void loadsAreListedWhereTheyAre() {
     long task = add(token);
 
