@@ -27,7 +27,7 @@ export class Files {
       return;
     }
     setText($('#import-said'), text('editor.import.reading'));
-    const query = new URLSearchParams();
+    const query = new URLSearchParams({file: file.name});
     const resolution = numberIn($('#import-resolution'));
     if (type === 'image/png' && resolution !== undefined) {
       query.set('resolution', resolution);

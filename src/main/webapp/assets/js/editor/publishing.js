@@ -14,6 +14,7 @@ export class Publishing {
   #editor;
   #draft;
   #floor;
+  #changes = 0; // of the drawing
 
   constructor(editor, draft, floor) {
     this.#editor = editor;
@@ -37,20 +38,37 @@ export class Publishing {
 
   /** After the drawing has changed. */
   update() {
+    this.#changes++;
+    this.#outdateProblems();
     if (this.difference) {
       this.#showDifference();
     }
   }
 
-  /** Answers whether the server has checked it. */
+  /** What was found is true of an older drawing: its list stays, to go on by, but marks nothing any more. */
+  #outdateProblems() {
+    this.problems = [];
+    if ($('#problem-list').childElementCount === 0) {
+      $('#problems').hidden = true;
+    } else {
+      setText($('#problems-summary'), text('editor.problems.outdated'));
+    }
+  }
+
+  /** Answers whether the server has checked it as it is now. */
   async #check() {
     this.#editor.say(text('editor.checking'));
+    const checked = this.#changes;
     const {status, body} = await send('POST', `${this.#draft.path}/check`, {drawing: this.#editor.drawing.toJson()});
     if (status !== 200) {
       this.#showProblems([], reasonOf(status, body));
       return false;
     }
     this.#showProblems(body, body.length === 0 ? text('editor.noProblems') : text('editor.problems.count', body.length));
+    if (this.#changes !== checked) {
+      this.#outdateProblems();
+      return false;
+    }
     return true;
   }
 

@@ -87,7 +87,7 @@ class MapFilesFuzzTest {
     byte[] content = files.values().iterator().next();
     return switch (first) {
       case "map.zip" -> FloorReader.read(MapArchive.unpack(content)).drawing();
-      case "plan.png" -> FloorPicture.read(content, 0.1, 0.5);
+      case "plan.png" -> FloorPicture.read(first, content, 0.1, 0.5);
       default -> FloorReader.read(MapArchive.of(files)).drawing();
     };
   }

@@ -12,6 +12,7 @@ import org.toqa.grid.FloorMap;
 import org.toqa.grid.FloorWriter;
 import org.toqa.grid.MapFormatException;
 import org.toqa.grid.MapLimits;
+import org.toqa.text.CleanText;
 import org.toqa.web.RequestPath;
 import org.toqa.web.Texts;
 import org.toqa.web.input.FieldErrors;
@@ -20,7 +21,7 @@ import org.toqa.wording.Phrase;
 
 /** Floors as files of other programs, in and out. */
 public final class FloorFilesResource extends ApiHandler {
-  /** What each media type would be called as a file. */
+  /** What a file of each media type is called where nobody has said it. */
   private static final Map<String, String> FILES =
       Map.of(
           "application/zip", "map.zip",
@@ -103,8 +104,15 @@ public final class FloorFilesResource extends ApiHandler {
   private static String file(HttpServletRequest request) {
     String given = Optional.ofNullable(request.getContentType()).orElse("");
     String type = given.split(";", 2)[0].strip().toLowerCase(Locale.ROOT);
-    return Optional.ofNullable(FILES.get(type))
-        .orElseThrow(() -> Problem.of(415, Texts.of(request).get("problem.notAMap")).exception());
+    String usual =
+        Optional.ofNullable(FILES.get(type))
+            .orElseThrow(
+                () -> Problem.of(415, Texts.of(request).get("problem.notAMap")).exception());
+    String ending = usual.substring(usual.lastIndexOf('.'));
+    return Optional.ofNullable(request.getParameter("file"))
+        .map(CleanText::of)
+        .filter(name -> name.toLowerCase(Locale.ROOT).endsWith(ending))
+        .orElse(usual);
   }
 
   private static FloorDrawing read(

@@ -55,7 +55,7 @@ public final class FloorFiles {
         return FloorReader.read(MapArchive.unpack(file.getValue())).drawing();
       }
       if (name.endsWith(".png")) {
-        return FloorPicture.read(file.getValue(), resolution, threshold);
+        return FloorPicture.read(file.getKey(), file.getValue(), resolution, threshold);
       }
     }
     return FloorReader.read(MapArchive.of(files)).drawing();

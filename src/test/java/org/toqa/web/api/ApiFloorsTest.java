@@ -31,6 +31,7 @@ import org.toqa.grid.FloorMap;
 import org.toqa.grid.MapArchive;
 import org.toqa.testbed.Hall;
 import org.toqa.testbed.Views;
+import org.toqa.web.RequestPath;
 import org.toqa.web.WebServerTest;
 import org.toqa.web.WebTestServer;
 import tools.jackson.databind.JsonNode;
@@ -227,6 +228,16 @@ class ApiFloorsTest extends WebServerTest {
   void aWrongFileGetsASentence() throws Exception {
     String map = "type octile\nheight 100000\nwidth 100000\nmap\n";
     assertFault("floor.map: the map is 100000 x 100000 cells", "text/plain", text(map));
+    assertTrue(
+        read("text/plain", "?file=" + RequestPath.segment("my hall.MAP"), text(map), 422)
+            .get("detail")
+            .asString()
+            .startsWith("my hall.MAP: "));
+    assertTrue(
+        read("image/png", "?file=e.png", new byte[9], 422)
+            .get("detail")
+            .asString()
+            .startsWith("e.png is not a readable"));
     assertFault("0 x 4", "text/plain", text("type octile\nheight 4\nwidth 0\nmap\n"));
     assertFault("row has 0 cells", "text/plain", text("type octile\nheight 4\nwidth 3\nmap\n"));
     byte[] png = png(new int[][] {{0}});

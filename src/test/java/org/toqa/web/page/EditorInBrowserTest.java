@@ -278,8 +278,13 @@ class EditorInBrowserTest extends PagesInBrowser {
     tool(page, "select");
     page.locator("#zoom-fit").click();
     drag(page, 1.05, 1.05, 7.05, 3.15);
+    assertThat(page.locator("#problems-summary"))
+        .hasText("Found in an older draft. Check again to see what is left:");
     page.locator("#check").click();
     assertThat(page.locator("#problems-summary")).hasText("No problems found.");
+    page.locator("#undo").click();
+    assertThat(page.locator("#problems")).isHidden();
+    page.locator("#redo").click();
     page.locator("#publish").click();
     page.locator("#publish-sure").click();
     assertThat(page.locator("#problems-summary")).hasText("Published. The drawing is in force.");
@@ -288,7 +293,7 @@ class EditorInBrowserTest extends PagesInBrowser {
     page.locator("#import-file")
         .setInputFiles(new FilePayload("plan.png", "image/png", new byte[9]));
     page.locator("#import").click();
-    assertThat(page.locator("#import-said")).containsText("is not a readable PNG picture");
+    assertThat(page.locator("#import-said")).containsText("plan.png is not a readable PNG picture");
   }
 
   @Test
