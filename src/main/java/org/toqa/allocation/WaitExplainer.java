@@ -93,6 +93,16 @@ public final class WaitExplainer {
             Phrase.LISTED, strong.size() <= NAMED ? named(task, strong) : counted(strong)));
   }
 
+  /** Whether one of them is free to do it alone, so that nothing keeps it but that nobody decided. */
+  public boolean hasFreeRobot(AllocationTask task) {
+    return allowed(task).stream()
+        .anyMatch(
+            robot ->
+                robot.isFree()
+                    && robot.isStrongEnough(task)
+                    && quotes.of(task, robot).reason() == null);
+  }
+
   /** Whether none of these robots will ever carry it, alone or together, whatever becomes free. */
   public boolean isImpossible(AllocationTask task) {
     List<Candidate> allowed = allowed(task);

@@ -436,6 +436,8 @@ final class AllocationRounds {
     if (said != null) {
       return said;
     }
-    return plain == null ? DispatchState.LOOKING_FOR_ROBOT : plain.reason(queued.job());
+    return plain == null || plain.hasFreeRobot(queued.job())
+        ? DispatchState.LOOKING_FOR_ROBOT
+        : plain.reason(queued.job());
   }
 }
