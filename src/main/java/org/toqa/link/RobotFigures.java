@@ -20,11 +20,27 @@ final class RobotFigures {
   /** From the map's origin, metres. */
   private static final double MAX_COORDINATE = 100_000;
 
-  /** Metres a second, radians a second. */
-  private static final double MAX_SPEED = 100;
+  /**
+   * Metres a second that a robot says that it can drive: as much as our daemon's file and one over
+   * HTTP may say, of whose wheels a fifth is kept.
+   */
+  private static final double LEAST_SPEED = 0.008;
+
+  private static final double MOST_SPEED = 5;
+
+  /** Radians a second, of the same, with wheels 5 m apart. */
+  private static final double LEAST_TURN_RATE = 0.003;
+
+  private static final double MOST_TURN_RATE = 20;
+
+  /** How fast one can be said to be, metres a second, radians a second. */
+  private static final double MAX_TWIST = 100;
 
   /** Kilograms on board. */
   private static final double MAX_LOAD = 10_000;
+
+  /** Metres, diameter. */
+  private static final double NARROWEST = 0.05;
 
   /** Metres that cameras see. */
   private static final double MAX_VIEW = 1_000;
@@ -48,12 +64,11 @@ final class RobotFigures {
       return Optional.of(Phrase.IS_TOO_WIDE.with(hello.robot(), hello.footprint(), widestRobot));
     }
     boolean isPossible =
-        hello.maxLoad() >= 0
-            && isWithin(hello.maxSpeed(), MAX_SPEED)
-            && isWithin(hello.maxTurnRate(), MAX_SPEED)
-            && hello.footprint() > 0
-            && hello.sensorRange() >= 0
-            && hello.sensorRange() <= MAX_SENSOR_RANGE;
+        isFrom(0, hello.maxLoad(), MAX_LOAD)
+            && isFrom(LEAST_SPEED, hello.maxSpeed(), MOST_SPEED)
+            && isFrom(LEAST_TURN_RATE, hello.maxTurnRate(), MOST_TURN_RATE)
+            && hello.footprint() >= NARROWEST
+            && isFrom(0, hello.sensorRange(), MAX_SENSOR_RANGE);
     return isPossible
         ? Optional.empty()
         : Optional.of(
@@ -66,8 +81,8 @@ final class RobotFigures {
                 hello.sensorRange()));
   }
 
-  private static boolean isWithin(double value, double max) {
-    return value > 0 && value <= max;
+  private static boolean isFrom(double least, double value, double most) {
+    return value >= least && value <= most;
   }
 
   /**
@@ -94,7 +109,7 @@ final class RobotFigures {
       return Optional.of("The battery of the state is not from 0 to 1.");
     }
     Speed twist = state.twist();
-    if (Math.max(Math.hypot(twist.v(), twist.u()), Math.abs(twist.w())) > MAX_SPEED) {
+    if (Math.max(Math.hypot(twist.v(), twist.u()), Math.abs(twist.w())) > MAX_TWIST) {
       return Optional.of("The twist of the state is faster than any robot.");
     }
     if (!state.ranges().stream().allMatch(range -> range >= 0)) {
