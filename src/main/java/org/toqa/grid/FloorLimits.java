@@ -1,5 +1,7 @@
 package org.toqa.grid;
 
+import org.toqa.text.GivenName;
+
 /** What may be said of a floor. */
 public final class FloorLimits {
   /** Letters, of floors and their places. */
@@ -19,7 +21,7 @@ public final class FloorLimits {
   /** Whether a floor may be called so, which stands in addresses and tables. */
   public static boolean isFloorName(String name) {
     return isName(name)
-        && name.length() <= LONGEST_NAME
+        && name.length() <= LONGEST_NAME // as wide as the columns
         && name.equals(name.strip())
         && name.chars().noneMatch(letter -> letter == '/' || letter == '\\')
         && !name.equals(".")
@@ -28,19 +30,6 @@ public final class FloorLimits {
 
   /** Whether a place may be called so. */
   public static boolean isName(String name) {
-    return name.codePoints().anyMatch(FloorLimits::isSeen)
-        && name.codePointCount(0, name.length()) <= LONGEST_NAME
-        && name.codePoints().noneMatch(FloorLimits::isNoLetter);
-  }
-
-  /** Not so blanks, and what only says how its neighbours are written. */
-  private static boolean isSeen(int letter) {
-    return !Character.isWhitespace(letter)
-        && !Character.isSpaceChar(letter)
-        && Character.getType(letter) != Character.FORMAT;
-  }
-
-  private static boolean isNoLetter(int letter) {
-    return Character.isISOControl(letter) || Character.getType(letter) == Character.SURROGATE;
+    return GivenName.isName(name, LONGEST_NAME);
   }
 }

@@ -25,6 +25,11 @@ public final class CleanText {
 
   private CleanText() {}
 
+  /** Whether nothing would be taken out of it. */
+  public static boolean isClean(String text) {
+    return !UNPRINTABLE.matcher(text).find();
+  }
+
   /** At most {@link #LONGEST} characters of it, and three dots where there were more. */
   public static String of(String foreign) {
     return of(foreign, LONGEST);

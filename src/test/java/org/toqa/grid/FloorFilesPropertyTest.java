@@ -35,8 +35,7 @@ class FloorFilesPropertyTest {
           "true",
           "~",
           "a: b",
-          "\u202eevil\u202c",
-          "x\u2028y",
+          "\u0645\u06cc\u200c\u062e",
           "%YAML",
           "é".repeat(64));
 

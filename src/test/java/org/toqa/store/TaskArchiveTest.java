@@ -130,6 +130,12 @@ class TaskArchiveTest extends FleetDatabaseTest {
   }
 
   @Test
+  void aNameHasRoomForLettersOfTwoCharacters() {
+    String name = "\ud83e\udd16".repeat(100);
+    assertEquals(name, store.task(added(task(name)).id()).orElseThrow().task().name());
+  }
+
+  @Test
   void aTaskWhoseLoadLiesOnTheFloorIsNotDeleted() {
     TransportTask task = added(task("left"));
     TaskPlace place = new TaskPlace(new Vec2(1, 1), null);

@@ -26,6 +26,7 @@ import org.toqa.link.trust.PairingCode;
 import org.toqa.mission.TaskKind;
 import org.toqa.mission.TransportTask.LoadSize;
 import org.toqa.telemetry.Topics;
+import org.toqa.text.GivenName;
 import org.toqa.web.Texts;
 import org.toqa.web.access.Caller;
 
@@ -35,7 +36,7 @@ import org.toqa.web.access.Caller;
  * missing or has its sentence already.
  */
 public final class InputRules {
-  /** As wide as the columns that hold names of tasks. */
+  /** Letters; the columns that hold names of tasks have room for as many. */
   private static final int MAX_TASK_NAME_LENGTH = 100;
 
   private static final int MAX_HOST_LENGTH = 255;
@@ -99,11 +100,12 @@ public final class InputRules {
 
   public String taskName(String field, @Nullable String given) {
     String name = given == null ? "" : given.strip();
-    if (!hasLetters(name)) {
+    int length = GivenName.length(name);
+    if (!GivenName.hasLetters(name)) {
       refuse(field, "error.taskName.missing");
-    } else if (name.length() > MAX_TASK_NAME_LENGTH) {
-      refuse(field, "error.taskName.long", MAX_TASK_NAME_LENGTH, name.length());
-    } else if (name.codePoints().anyMatch(InputRules::isUnprintable)) {
+    } else if (length > MAX_TASK_NAME_LENGTH) {
+      refuse(field, "error.taskName.long", MAX_TASK_NAME_LENGTH, length);
+    } else if (!GivenName.isName(name, MAX_TASK_NAME_LENGTH)) {
       refuse(field, "error.taskName.control");
     }
     return name;
@@ -459,9 +461,7 @@ public final class InputRules {
   /** What its owner calls a token. */
   public String tokenName(String field, @Nullable String given) {
     String name = given == null ? "" : given.strip();
-    if (!hasLetters(name)
-        || name.length() > MAX_TOKEN_NAME_LENGTH
-        || name.codePoints().anyMatch(InputRules::isUnprintable)) {
+    if (!GivenName.isName(name, MAX_TOKEN_NAME_LENGTH)) {
       refuse(field, "error.tokenName", MAX_TOKEN_NAME_LENGTH);
     }
     return name;
@@ -547,27 +547,5 @@ public final class InputRules {
 
   private void refuse(String field, String key, Object... values) {
     errors.add(field, texts.get(key, values));
-  }
-
-  /** Whether somebody who reads it sees anything. */
-  private static boolean hasLetters(String name) {
-    return name.codePoints()
-        .anyMatch(
-            letter ->
-                !Character.isWhitespace(letter)
-                    && !Character.isSpaceChar(letter)
-                    && Character.getType(letter) != Character.FORMAT);
-  }
-
-  private static boolean isUnprintable(int codePoint) {
-    return switch (Character.getType(codePoint)) {
-      case Character.CONTROL,
-          Character.SURROGATE,
-          Character.UNASSIGNED,
-          Character.LINE_SEPARATOR,
-          Character.PARAGRAPH_SEPARATOR ->
-          true;
-      default -> false;
-    };
   }
 }

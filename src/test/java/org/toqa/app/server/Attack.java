@@ -38,13 +38,11 @@ enum Attack {
     return text;
   }
 
-  private boolean hasControlCharacter() {
-    return text.chars().anyMatch(Character::isISOControl);
-  }
-
-  /** Whether it is a name of up to so many characters, none of them a control character. */
+  /** Whether it is a name of up to so many characters, all of which are shown as they stand. */
   boolean isNameWithin(int characters) {
-    return text.length() <= characters && !hasControlCharacter();
+    return text.length() <= characters
+        && this != DIRECTIONS
+        && text.chars().noneMatch(Character::isISOControl);
   }
 
   /** Whether it can be one segment of an address. */

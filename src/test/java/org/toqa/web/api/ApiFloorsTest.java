@@ -164,6 +164,7 @@ class ApiFloorsTest extends WebServerTest {
         "\"name\":\"P1\" | \"name\":\"\\u200b\\u00a0\" | parking.0.name",
         "\"name\":\"P1\" | \"name\":\"\\ud800\" | parking.0.name",
         "\"name\":\"P1\" | \"name\":\"a\\tb\" | parking.0.name",
+        "\"name\":\"P1\" | \"name\":\"a\\u202eb\" | parking.0.name",
         "\"name\":\"P1\" | \"name\":\"Dock \\\"A\\\"\" | parking.0.name",
         "\"headingDegrees\":90 | \"headingDegrees\":361 | stations.0.headingDegrees",
         "\"approach\":\"north\" | \"approach\":\"up\" | stations.0.approach",

@@ -199,6 +199,7 @@ class ApiTasksTest extends ApiTestServer {
     JsonNode tasks = JSON.readTree(answer.body());
     assertEquals(2, tasks.get(0).get("id").asInt());
     assertEquals(1, tasks.get(1).get("id").asInt());
+    assertEquals(200, get("api/v1/tasks?limit=99999999999").statusCode());
     assertEquals(400, get("api/v1/tasks?limit=0").statusCode());
     assertEquals(400, get("api/v1/tasks?offset=x").statusCode());
   }
@@ -236,6 +237,8 @@ class ApiTasksTest extends ApiTestServer {
           {"name":"  ","load":2,"start":{"station":"Dock A"},"goal":{"station":"Shelf 3"}} | 422 | Enter a task name.
           {"name":"\\u200b\\u00a0","load":2,"start":{"station":"Dock A"},"goal":{"station":"Shelf 3"}} | 422 | Enter a task name.
           {"name":"a\\u0000b","load":2,"start":{"station":"Dock A"},"goal":{"station":"Shelf 3"}} | 422 | The task name contains characters that cannot be shown, such as line breaks. Remove them.
+          {"name":"🤖🤖🤖🤖🤖🤖🤖🤖🤖🤖🤖🤖🤖🤖🤖🤖🤖🤖🤖🤖🤖🤖🤖🤖🤖🤖🤖🤖🤖🤖🤖🤖🤖🤖🤖🤖🤖🤖🤖🤖🤖🤖🤖🤖🤖🤖🤖🤖🤖🤖🤖🤖🤖🤖🤖🤖🤖🤖🤖🤖🤖🤖🤖🤖🤖🤖🤖🤖🤖🤖🤖🤖🤖🤖🤖🤖🤖🤖🤖🤖🤖🤖🤖🤖🤖🤖🤖🤖🤖🤖🤖🤖🤖🤖🤖🤖🤖🤖🤖🤖🤖","load":2,"start":{"station":"Dock A"},"goal":{"station":"Shelf 3"}} | 422 | A task name has at most 100 characters, this one has 101. Shorten it.
+          {"name":"a\\u202eb","load":2,"start":{"station":"Dock A"},"goal":{"station":"Shelf 3"}} | 422 | The task name contains characters that cannot be shown, such as line breaks. Remove them.
           {"name":"\\ud800","load":2,"start":{"station":"Dock A"},"goal":{"station":"Shelf 3"}} | 422 | The task name contains characters that cannot be shown, such as line breaks. Remove them.
           {"name":"x","load":2,"start":{"station":"Dock A"},"goal":{"station":"Shelf 3"},"priority":1.5} | 422 | The priority is a whole number from -100 to 100.
           {"name":"x","load":2,"start":{"station":"Dock A"},"goal":{"station":"Shelf 3"},"deadline":"+99999-01-01T00:00:00Z"} | 422 | The deadline’s year must be from 2000 to 9998.
