@@ -93,7 +93,9 @@ public final class WaitExplainer {
             Phrase.LISTED, strong.size() <= NAMED ? named(task, strong) : counted(strong)));
   }
 
-  /** Whether one of them is free to do it alone, so that nothing keeps it but that nobody decided. */
+  /**
+   * Whether one of them is free to do it alone, so that nothing keeps it but that nobody decided.
+   */
   public boolean hasFreeRobot(AllocationTask task) {
     return allowed(task).stream()
         .anyMatch(

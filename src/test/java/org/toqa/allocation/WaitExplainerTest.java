@@ -17,7 +17,6 @@ class WaitExplainerTest {
         new WaitExplainer(
             List.of(free("r1", 5, 10), busy("r2", 5, 30, 7)), PathLengths.STRAIGHT, List.of());
 
-    assertEquals(
-        isFree, explainer.hasFreeRobot(job(1, load, 20).withOnlyRobots(List.of(only))));
+    assertEquals(isFree, explainer.hasFreeRobot(job(1, load, 20).withOnlyRobots(List.of(only))));
   }
 }
