@@ -17,6 +17,7 @@ import org.toqa.app.lab.LabCommand;
 import org.toqa.app.plan.PlanCommand;
 import org.toqa.app.robot.HttpRobotCommand;
 import org.toqa.app.server.ServerCommand;
+import org.toqa.grid.MapFormatException;
 import org.toqa.yaml.Spelling;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;
@@ -99,7 +100,11 @@ public final class Main implements Runnable {
     String sentence =
         !unknown.isEmpty()
             ? unknownWordMessage(unknown.getFirst(), command)
-            : String.valueOf(e.getMessage()).lines().findFirst().orElse("");
+            : String.valueOf(e.getMessage())
+                .lines()
+                .findFirst()
+                .orElse("")
+                .replace("option option", "option"); // as picocli says of a pair without "="
     printError(
         command.getErr(),
         sentence
@@ -116,7 +121,9 @@ public final class Main implements Runnable {
     String sentence = "\"" + written + "\" is not known";
     return known.isEmpty()
         ? sentence
-        : sentence + "; the nearest is " + Spelling.nearest(written, new TreeSet<>(known)).word();
+        : Spelling.near(written, new TreeSet<>(known))
+            .map(near -> sentence + "; the nearest is " + near)
+            .orElse(sentence);
   }
 
   private static int reportFailure(Exception e, CommandLine command) {
@@ -125,7 +132,9 @@ public final class Main implements Runnable {
         e instanceof FileSystemException failed
             ? fileMessage(failed)
             : String.valueOf(e.getMessage()));
-    return e instanceof ConfigurationException ? ExitCode.USAGE : ExitCode.SOFTWARE;
+    return e instanceof ConfigurationException || e instanceof MapFormatException
+        ? ExitCode.USAGE
+        : ExitCode.SOFTWARE;
   }
 
   /** Of an error of a file system, whose own message is often no more than the file's name. */

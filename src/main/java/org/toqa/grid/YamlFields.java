@@ -41,8 +41,10 @@ final class YamlFields {
     for (Object key : map.keySet()) {
       if (!(key instanceof String name && known.contains(name))) {
         throw new MapFormatException(
-            "%s: unknown key '%s'; did you mean '%s'?"
-                .formatted(place, key, Spelling.nearest(String.valueOf(key), known).word()));
+            "%s: unknown key '%s'; ".formatted(place, key)
+                + Spelling.near(String.valueOf(key), known)
+                    .map("did you mean '%s'?"::formatted)
+                    .orElseGet(() -> "there are: " + String.join(", ", known) + "."));
       }
     }
     return new YamlFields(place, map);

@@ -34,6 +34,7 @@ class CommandLineTest {
             List.of("demo", "--scenario", "building", "--speed", "2"), "it goes with neither"),
         Arguments.of(List.of("plan", "--map", "nowhere.yaml"), "--from"),
         Arguments.of(List.of("plan", "--bogus"), "\"--bogus\" is not known"),
+        Arguments.of(List.of("plan", "--nope"), "\"--nope\" is not known (toqa plan --help"),
         Arguments.of(List.of("gateway"), "--config"),
         Arguments.of(List.of("gateway", "--config", "nowhere.yaml"), "there is no such file"),
         Arguments.of(List.of("http-robot", "--token", "short"), "16 to 128 letters"),
@@ -68,6 +69,15 @@ class CommandLineTest {
       System.setErr(standardError);
     }
     assertEquals("", said.toString(StandardCharsets.UTF_8), command.getCommandName());
+  }
+
+  /** Its own lines; picocli would break longer ones in their midst. */
+  @ParameterizedTest
+  @MethodSource("commands")
+  void theLinesOfAHelpFitATerminal(CommandLine command) {
+    for (String line : command.getCommandSpec().usageMessage().footer()) {
+      assertTrue(line.replace("%%", "%").length() < 80, line);
+    }
   }
 
   @ParameterizedTest

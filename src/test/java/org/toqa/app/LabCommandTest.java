@@ -139,6 +139,8 @@ class LabCommandTest {
       textBlock =
           """
           csm-statik                     | is no experiment; the nearest is csm-static
+          nope                           | is no experiment; there are: cmct-
+          csm-static --set x             | Value for option '--set'
           csm-static --runs 0            | --runs 0: it must be from 1 to 10000
           csm-static --seed x            | "x" is not a whole number
           csm-static --set leg=1         | is no parameter; the nearest is lag

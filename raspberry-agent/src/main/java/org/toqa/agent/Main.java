@@ -24,7 +24,7 @@ import picocli.CommandLine.Spec;
 import picocli.CommandLine.UnmatchedArgumentException;
 
 /** The command line of a robot's daemon. */
-@Command(name = "agent", description = "Run the daemon of a robot until it is stopped.")
+@Command(name = "toqa agent", description = "Run the daemon of a robot until it is stopped.")
 public final class Main implements Callable<Integer> {
 
   private static final int FAILED = 1;
@@ -74,7 +74,7 @@ public final class Main implements Callable<Integer> {
             ? "\"%s\" is not known; there are --config, --pair and --example"
                 .formatted(unknown.getUnmatched().getFirst())
             : String.valueOf(e.getMessage()).lines().findFirst().orElse("");
-    e.getCommandLine().getErr().println(sentence + " (./toqa agent --help lists what there is)");
+    printError(e.getCommandLine(), sentence + " (toqa agent --help lists what there is)");
     return WRONG_CONFIGURATION;
   }
 
@@ -158,7 +158,11 @@ public final class Main implements Callable<Integer> {
   }
 
   private int printError(Exception e, int exitCode) {
-    spec.commandLine().getErr().println(e.getMessage());
+    printError(spec.commandLine(), e.getMessage());
     return exitCode;
+  }
+
+  private static void printError(CommandLine command, @Nullable String sentence) {
+    command.getErr().println("toqa: " + sentence);
   }
 }

@@ -25,8 +25,8 @@ import picocli.CommandLine.Spec;
     footer = {
       "",
       "Prints JSON: framesPerSecond, frames (from one frame to the next; maxMs is the",
-      "longest) and drawing (from an event to the first picture with it). The robots drive",
-      "all the time. Chromium must be installed (Debian, Ubuntu: chromium)."
+      "longest) and drawing (from an event to the first picture with it). The robots",
+      "drive all the time. Chromium must be installed (Debian, Ubuntu: chromium)."
     })
 final class SmoothnessBench implements Callable<Integer> {
   @Spec private CommandSpec spec = CommandSpec.create();

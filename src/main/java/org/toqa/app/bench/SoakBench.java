@@ -34,11 +34,11 @@ import picocli.CommandLine.Spec;
       "first robots; there are always half as many more tasks than robots), emptyShare",
       "(the share of their time in which robots had less than 5 %% in their batteries),",
       "chargerUse (the share of their time in which charging points charged), samples",
-      "(24 in equal distances, and at the end: tasksDone, databaseMb, what the database",
-      "takes, largestMb, the most that its file took since the sample before, contentMb,",
-      "what it would take if it were compacted, heapMb, memory in use), stuck",
-      "(tasks and robots that did not get on for 30 simulated minutes, and what they",
-      "wait for), leavesOut (what is not measured).",
+      "(24 in equal distances, and at the end: tasksDone, databaseMb, what the",
+      "database takes, largestMb, the most that its file took since the sample before,",
+      "contentMb, what it would take if it were compacted, heapMb, memory in use),",
+      "stuck (tasks and robots that did not get on for 30 simulated minutes, and what",
+      "they wait for), leavesOut (what is not measured).",
       "",
       "Exits 1 if something is stuck."
     })

@@ -18,9 +18,9 @@ import picocli.CommandLine.Spec;
     description = "Measure how long a server takes to start.",
     footer = {
       "",
-      "Prints JSON: first (with an empty data folder, in which it makes its database) and",
-      "again (with the data of that start), each from the start of the process until",
-      "/api/v1/health answers 200."
+      "Prints JSON: first (with an empty data folder, in which it makes its database)",
+      "and again (with the data of that start), each from the start of the process",
+      "until /api/v1/health answers 200."
     })
 final class StartupBench implements Callable<Integer> {
   @Spec private CommandSpec spec = CommandSpec.create();

@@ -31,13 +31,13 @@ import picocli.CommandLine.Spec;
       "",
       "Prints JSON: pages (response times of the requests, each counted from when it",
       "was due), failed (responses other than 200; exits 1 if there are any), the way",
-      "of a pose from the robot's report: heard (until the server hears it), poses (from",
-      "there until a browser has the event), seen (both together), drawing (in Chromium,",
-      "from the event to the first picture with it) and drawn (from the robot's report to",
-      "that picture), unmatched (poses seen that no robot has reported lately),",
-      "eventsSeen (all browsers together), pace (simulated seconds per second; below 1 if",
-      "the machine cannot keep up) and cores (processor seconds per second of the whole",
-      "process, including the browsers but Chromium)."
+      "of a pose from the robot's report: heard (until the server hears it), poses",
+      "(from there until a browser has the event), seen (both together), drawing (in",
+      "Chromium, from the event to the first picture with it) and drawn (from the",
+      "robot's report to that picture), unmatched (poses seen that no robot has",
+      "reported lately), eventsSeen (all browsers together), pace (simulated seconds",
+      "per second; below 1 if the machine cannot keep up) and cores (processor seconds",
+      "per second of the whole process, including the browsers but Chromium)."
     })
 final class WebBench implements Callable<Integer> {
   private static final int COLLECTING_SECONDS = 5;

@@ -156,8 +156,8 @@ public final class SettingSource {
     return file
         + ": the key "
         + key
-        + " is unknown; the nearest is "
-        + Spelling.nearest(key, keys()).word()
+        + " is unknown"
+        + Spelling.near(key, keys()).map(near -> "; the nearest is " + near).orElse("")
         + ".";
   }
 

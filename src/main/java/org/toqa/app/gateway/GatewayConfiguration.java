@@ -41,8 +41,10 @@ record GatewayConfiguration(Server server, Path data, AllowedAddresses robots) {
       String written = String.valueOf(key);
       if (!KEYS.contains(written)) {
         throw new ConfigurationException(
-            "%s: there is no key \"%s\"; did you mean \"%s\"?"
-                .formatted(file, written, Spelling.nearest(written, KEYS).word()));
+            "%s: there is no key \"%s\"; ".formatted(file, written)
+                + Spelling.near(written, KEYS)
+                    .map("did you mean \"%s\"?"::formatted)
+                    .orElseGet(() -> "there are: " + String.join(", ", KEYS)));
       }
     }
     Section section = new Section(file, values);

@@ -5,6 +5,7 @@ import java.nio.file.Path;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.SortedSet;
 import java.util.TreeSet;
 import java.util.concurrent.Callable;
 import java.util.stream.Collectors;
@@ -40,12 +41,13 @@ import picocli.CommandLine.Spec;
       "runs and parameters give the same figures, but for times of this machine.",
       "",
       "JSON: experiment, seed, runs, parameters, figures (name, published, measured,",
-      "bound, unit, verdict, reason), tables and notes. A figure is a number, a text, or",
-      "null where there is none; bound is the true optimum or the best possible. The",
-      "verdict is reproduced, refuted, or not comparable where an input is not published.",
+      "bound, unit, verdict, reason), tables and notes. A figure is a number, a text,",
+      "or null where there is none; bound is the true optimum or the best possible.",
+      "The verdict is reproduced, refuted, or not comparable where an input is not",
+      "published.",
       "",
-      "--out writes NAME.json, NAME-figures.csv, a .csv file for each table and an .svg",
-      "file for each drawing; for a scene that moves also how, as .json."
+      "--out writes NAME.json, NAME-figures.csv, a .csv file for each table and an",
+      ".svg file for each drawing; for a scene that moves also how, as .json."
     })
 public final class LabCommand implements Callable<Integer> {
   /** As of a program that was ended by Ctrl-C. */
@@ -168,8 +170,13 @@ public final class LabCommand implements Callable<Integer> {
 
   private static String unknown(String kind, String written, List<String> known) {
     String sentence = "\"%s\" is no %s".formatted(written, kind);
-    return known.isEmpty()
-        ? sentence
-        : sentence + "; the nearest is " + Spelling.nearest(written, new TreeSet<>(known)).word();
+    if (known.isEmpty()) {
+      return sentence;
+    }
+    SortedSet<String> words = new TreeSet<>(known);
+    return sentence
+        + Spelling.near(written, words)
+            .map(near -> "; the nearest is " + near)
+            .orElseGet(() -> "; there are: " + String.join(", ", words));
   }
 }

@@ -55,15 +55,15 @@ import picocli.CommandLine.Spec;
       "length (metres driven), seconds, turnsOnSpot, start, cells, segments. If there",
       "is no path, the command prints the reason to standard error and exits 1.",
       "",
-      "With --moves smooth the path is a curve from --from to --to itself, and --margin",
-      "is the radius of the disc that follows it. The table and JSON also have what the",
-      "two wheels of a differential robot do in samples of 30 ms: v, w, and for each",
-      "wheel its speed, T_on, ISPA (0 to 255), pulse and direction; the picture has the",
-      "speeds over time. JSON: found, reason (also OUT_OF_TIME), length, seconds,",
-      "maxCurvature (radians per metre), turnsOnSpot, start, path, segments, wheels,",
-      "and polynomial, the y(x) of lowest degree that touches nothing, or null: from,",
-      "to, and bulge c: y is the straight line plus t (1 - t) (c0 + c1 t + c2 t^2), t",
-      "from 0 at from to 1 at to."
+      "With --moves smooth the path is a curve from --from to --to itself, and",
+      "--margin is the radius of the disc that follows it. The table and JSON also",
+      "have what the two wheels of a differential robot do in samples of 30 ms: v, w,",
+      "and for each wheel its speed, T_on, ISPA (0 to 255), pulse and direction; the",
+      "picture has the speeds over time. JSON: found, reason (also OUT_OF_TIME),",
+      "length, seconds, maxCurvature (radians per metre), turnsOnSpot, start, path,",
+      "segments, wheels, and polynomial, the y(x) of lowest degree that touches",
+      "nothing, or null: from, to, and bulge c: y is the straight line plus t (1 - t)",
+      "(c0 + c1 t + c2 t^2), t from 0 at from to 1 at to."
     })
 public final class PlanCommand implements Callable<Integer> {
   /** Cells; more than any map has on a side that is worth planning on. */

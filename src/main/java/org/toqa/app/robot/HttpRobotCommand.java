@@ -29,9 +29,10 @@ import picocli.CommandLine.Spec;
     description = "Be a robot with a simulated body that takes wheel commands over HTTP.",
     footer = {
       "",
-      "It listens until Ctrl-C, and says where. A manager adds it on the page Robots, as one with",
-      "wheel commands over HTTP, and then says where it stands. docs/http-robot.md tells what it",
-      "is told and answers, for whoever builds a real one."
+      "It listens until Ctrl-C, and says where. A manager adds it on the page Robots,",
+      "as one with wheel commands over HTTP, and then says where it stands.",
+      "docs/http-robot.md tells what it is told and answers, for whoever builds a real",
+      "one."
     })
 public final class HttpRobotCommand implements Callable<Integer> {
   private static final String TOKEN_VARIABLE = "TOQA_ROBOT_TOKEN";

@@ -15,6 +15,7 @@ import org.toqa.fleet.EventRecord;
 import org.toqa.fleet.FloorStore;
 import org.toqa.grid.FloorMap;
 import org.toqa.grid.FloorReader;
+import org.toqa.grid.MapFormatException;
 import org.toqa.grid.Place;
 import org.toqa.persistence.StoreException;
 import org.toqa.wording.Phrase;
@@ -52,7 +53,7 @@ final class FirstFloors {
     List<FloorMap> maps = new ArrayList<>();
     Map<String, Path> stations = new HashMap<>();
     for (Path file : files) {
-      FloorMap map = FloorReader.read(file);
+      FloorMap map = readMap(file);
       for (Place station : map.stations()) {
         Path other = stations.putIfAbsent(station.name(), file);
         if (other != null) {
@@ -64,6 +65,14 @@ final class FirstFloors {
       maps.add(map);
     }
     return maps;
+  }
+
+  private static FloorMap readMap(Path file) throws MapFormatException {
+    try {
+      return FloorReader.read(file);
+    } catch (MapFormatException e) {
+      throw new MapFormatException("map: " + e.getMessage(), e);
+    }
   }
 
   private static void add(FloorMap map, FloorStore store, Instant now) {

@@ -27,13 +27,10 @@ final class ConfigSection {
     for (Object key : values.keySet()) {
       if (!List.of(known).contains(String.valueOf(key))) {
         throw new ConfigException(
-            "%s: there is no key \"%s%s\"; did you mean \"%s%s\"?"
-                .formatted(
-                    file,
-                    path,
-                    key,
-                    path,
-                    Spelling.nearest(String.valueOf(key), List.of(known)).word()));
+            "%s: there is no key \"%s%s\"; ".formatted(file, path, key)
+                + Spelling.near(String.valueOf(key), List.of(known))
+                    .map(near -> "did you mean \"%s%s\"?".formatted(path, near))
+                    .orElseGet(() -> "there are: " + String.join(", ", known)));
       }
     }
   }

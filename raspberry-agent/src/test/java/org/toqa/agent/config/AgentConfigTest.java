@@ -222,7 +222,7 @@ class AgentConfigTest {
         "{elbow: {volts: [1, 6]}} | \"arm.elbow.volts\" is [1, 6]; it must be a list of 2 numbers from 0 to 5.",
         "{hand: {openPulse: 3000}} | \"arm.hand.openPulse\" is 3000; it must be a number from 400 to 2600.",
         "{loadSensor: {voltsPerKilogram: 0}} | \"arm.loadSensor.voltsPerKilogram\" is 0; it must be a number from 0.1 to 5.",
-        "{lenght: 1} | there is no key \"arm.lenght\"; did you mean \"arm.",
+        "{lenght: 1} | there is no key \"arm.lenght\"; there are: upperLink, ",
         "5 | \"arm\" is 5; it must be keys of its own, indented below it.",
       })
   void armThatCannotBeIsRefused(String arm, String sentence) throws IOException {
@@ -277,10 +277,11 @@ class AgentConfigTest {
     Path wrong = file("{name: r1, dataDir: d, prot: 1, chassis: {type: simulated}}");
 
     assertEquals(
-        new EndedCommand(2, wrong + ": there is no key \"prot\"; did you mean \"port\"?\n"),
+        new EndedCommand(
+            2, "toqa: " + wrong + ": there is no key \"prot\"; did you mean \"port\"?\n"),
         EndedCommand.of("--config", wrong.toString()));
     assertEquals(
-        new EndedCommand(2, folder.resolve("none") + ": there is no such file.\n"),
+        new EndedCommand(2, "toqa: " + folder.resolve("none") + ": there is no such file.\n"),
         EndedCommand.of("--config", folder.resolve("none").toString()));
     assertEquals(2, EndedCommand.of().exitCode());
     assertEquals(2, EndedCommand.of("--confg", "x").exitCode());
