@@ -2,6 +2,7 @@ package org.toqa.web.api;
 
 import jakarta.servlet.http.HttpServletRequest;
 import java.io.IOException;
+import java.math.BigInteger;
 import java.util.List;
 import java.util.function.Function;
 import java.util.stream.Collectors;
@@ -136,9 +137,10 @@ public abstract class ApiHandler {
     if (given == null) {
       return fallback;
     }
-    if (!given.matches("[0-9]{1,9}") || Integer.parseInt(given) < min) {
+    BigInteger number = given.matches("[0-9]{1,100}") ? new BigInteger(given) : BigInteger.ZERO;
+    if (!given.matches("[0-9]+") || number.compareTo(BigInteger.valueOf(min)) < 0) {
       throw Problem.of(400, Texts.of(request).get("problem.queryNumber", name, min)).exception();
     }
-    return Math.min(Integer.parseInt(given), max);
+    return number.min(BigInteger.valueOf(max)).intValue();
   }
 }
