@@ -480,8 +480,17 @@ record ConfigurationReader(List<SettingSource> layers) {
         mailSecurity(),
         nullIfEmpty(text(Setting.MAIL_USER)),
         nullIfEmpty(text(Setting.MAIL_PASSWORD)),
-        matching(Setting.MAIL_FROM, "[^\\s@<>,;]+@[^\\s@<>,;]+"),
-        matching(Setting.URL, URL).replaceFirst("/+$", ""));
+        ofMail(Setting.MAIL_FROM, "[^\\s@<>,;]+@[^\\s@<>,;]+"),
+        ofMail(Setting.URL, URL).replaceFirst("/+$", ""));
+  }
+
+  /** What is needed where there is a mail server, which is where somebody left it out. */
+  private String ofMail(Setting setting, String pattern) throws ConfigurationException {
+    if (text(setting).isBlank()) {
+      throw invalid(
+          Setting.MAIL_HOST, "%s must be %s.".formatted(setting.key(), setting.allowedValues()));
+    }
+    return matching(setting, pattern);
   }
 
   private WebhookAddresses webhooks() throws ConfigurationException {

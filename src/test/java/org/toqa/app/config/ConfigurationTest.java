@@ -223,6 +223,15 @@ class ConfigurationTest {
     assertEquals(1, sentence.lines().count(), sentence);
   }
 
+  @ParameterizedTest
+  @CsvSource({"'mail: {host: m}', mail.from", "'mail: {host: m, from: a@b.org}', url"})
+  void whatAMailServerNeedsIsNamedWithTheFile(String text, String missing) throws Exception {
+    String sentence = complaint(file(text));
+
+    assertContains("mail.host in " + folder.resolve("toqa.yaml"), sentence);
+    assertContains(": " + missing + " must be ", sentence);
+  }
+
   @Test
   void aFileThatIsNotThereIsNamed() {
     Path nowhere = folder.resolve("nowhere.yaml");
