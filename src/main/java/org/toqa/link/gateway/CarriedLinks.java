@@ -34,6 +34,10 @@ final class CarriedLinks implements AutoCloseable {
   private final LineChannel answers;
   private final Semaphore places = new Semaphore(MAX_LINKS);
   private final Set<AutoCloseable> connections = ConcurrentHashMap.newKeySet();
+
+  /** Addresses that are not allowed, of which the log has a line. */
+  private final Set<String> told = ConcurrentHashMap.newKeySet();
+
   private volatile boolean isClosed;
 
   /** Makes connections to the server. */
@@ -71,10 +75,7 @@ final class CarriedLinks implements AutoCloseable {
     try {
       Optional<InetAddress> address = allowed.find(asked.host(), asked.port());
       if (address.isEmpty()) {
-        log.warn(
-            "The server asks for {}:{}, which the configuration does not allow.",
-            asked.host(),
-            asked.port());
+        tellNotAllowed(asked.host() + ":" + asked.port());
         refuse(asked, Reason.NOT_ALLOWED, "");
         return;
       }
@@ -93,6 +94,13 @@ final class CarriedLinks implements AutoCloseable {
       Thread.currentThread().interrupt();
     } finally {
       remove(robot);
+    }
+  }
+
+  /** Once, though the server asks for it every few seconds; of very many, not of all. */
+  private void tellNotAllowed(String address) {
+    if (told.size() < MAX_LINKS && told.add(address)) {
+      log.warn("The server asks for {}, which the configuration does not allow.", address);
     }
   }
 

@@ -5,6 +5,9 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import ch.qos.logback.classic.Logger;
+import ch.qos.logback.classic.spi.ILoggingEvent;
+import ch.qos.logback.core.read.ListAppender;
 import java.io.DataInputStream;
 import java.io.IOException;
 import java.io.OutputStream;
@@ -25,6 +28,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
+import org.slf4j.LoggerFactory;
 import org.toqa.link.gateway.GatewayException.Reason;
 import org.toqa.link.message.GatewayMessage.Gateway;
 import org.toqa.link.message.LinkCodec;
@@ -126,6 +130,22 @@ class GatewayTest {
         Reason.UNKNOWN_GATEWAY,
         assertThrows(GatewayException.class, () -> rig.port().open("yard", "127.0.0.1", port))
             .reason());
+  }
+
+  @Test
+  void whatIsAskedForAgainAndAgainInVainIsLoggedOnce() {
+    Logger logger = (Logger) LoggerFactory.getLogger(CarriedLinks.class);
+    ListAppender<ILoggingEvent> lines = new ListAppender<>();
+    lines.start();
+    logger.addAppender(lines);
+    try {
+      for (int i = 0; i < 3; i++) {
+        assertEquals(Reason.NOT_ALLOWED, refusal("127.0.0.1", robot.getLocalPort() ^ 1));
+      }
+    } finally {
+      logger.detachAppender(lines);
+    }
+    assertEquals(1, lines.list.size(), lines.list.toString());
   }
 
   @Test
