@@ -48,6 +48,11 @@ public final class ApiClient implements AutoCloseable {
     return new ApiClient(root, name, password);
   }
 
+  public URI root() {
+    return root;
+  }
+
+  /** Of its session. */
   public String token() {
     return token;
   }

@@ -185,6 +185,7 @@ record ServerTelemetry(@Nullable EmbeddedBroker broker, BrokerSettings.@Nullable
       return Secret.site(token) == site.id()
           && sessions
               .find(Session.Carrier.BEARER, token)
+              .filter(login -> login.session().kind() == Session.Kind.TOKEN)
               .filter(login -> !login.account().disabled())
               .filter(login -> login.session().scopes().contains(Scope.READ))
               .isPresent();

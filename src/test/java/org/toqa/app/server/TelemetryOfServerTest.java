@@ -28,6 +28,7 @@ import org.toqa.app.config.Setting;
 import org.toqa.app.config.SettingSource;
 import org.toqa.testbed.ApiClient;
 import org.toqa.testbed.MqttTestClient;
+import org.toqa.web.TestClient;
 import org.toqa.web.WebTestServer;
 import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.json.JsonMapper;
@@ -74,6 +75,8 @@ class TelemetryOfServerTest {
             }
             assertTrue(api.delete("tasks/" + task).isAccepted());
             reader.await(topic, String::isEmpty);
+            assertThrows(
+                MqttException.class, () -> reader(api, api.token()).close(), "a session's secret");
           }
         });
   }
@@ -254,12 +257,29 @@ class TelemetryOfServerTest {
         .connect();
   }
 
-  /** The session of an API user has the scope to read as a token has it. */
   private static MqttTestClient reader(ApiClient api) throws Exception {
+    return reader(api, apiToken(api));
+  }
+
+  private static MqttTestClient reader(ApiClient api, String password) throws Exception {
     String broker = api.get("robots/r1/readings").get("broker").asString();
     return MqttTestClient.to(broker.replace("mqtt:", "tcp:"))
-        .as("main/reader/dashboard", api.token())
+        .as("main/reader/dashboard", password)
         .connect();
+  }
+
+  private static String apiToken(ApiClient api) throws Exception {
+    long user = api.get("users").get(0).get("id").asLong();
+    try (TestClient browser = TestClient.signedIn(api.root(), "Max")) {
+      String made =
+          browser
+              .postJson(
+                  "api/v1/users/" + user + "/tokens",
+                  "{\"name\":\"dashboard\",\"days\":1,\"scopes\":[\"read\"],\"password\":\"%s\"}"
+                      .formatted(WebTestServer.PASSWORD))
+              .body();
+      return JSON.readTree(made).get("token").asString();
+    }
   }
 
   private void run(@Nullable String broker, Use use) throws Exception {
