@@ -1,3 +1,4 @@
+import {headingDegrees} from '../shared/angles.js';
 import {showCameras} from '../shared/cameras.js';
 import {setText} from '../shared/elements.js';
 import {subscribe} from '../shared/event-stream.js';
@@ -71,7 +72,7 @@ class ControlPage {
 
   #showPose(pose) {
     const shown = pose
-      ? `${metres.format(pose.x)}, ${metres.format(pose.y)} · ${whole.format(pose.theta * DEGREES)}°`
+      ? `${metres.format(pose.x)}, ${metres.format(pose.y)} · ${whole.format(headingDegrees(pose.theta))}°`
       : '–';
     setText($('#pose'), shown);
   }

@@ -7,3 +7,8 @@ export function angleDifference(from, to) {
       ? difference + 2 * Math.PI
       : difference;
 }
+
+/** A heading as people are told it: whole degrees from 0 to 359. */
+export function headingDegrees(radians) {
+  return (Math.round(radians * 180 / Math.PI) % 360 + 360) % 360;
+}

@@ -468,6 +468,16 @@ class ManagerPagesInBrowserTest extends PagesInBrowser {
     assertThat(page.locator("#value-crossTrack")).hasText("12 mm");
     assertThat(page.locator("#value-heading")).hasText("-1.7°"); // -0.03 rad
     assertFits(page, "control", DARK, PHONE, DESK);
+    assertEquals(
+        "0 0 359 180",
+        page.evaluate(
+            """
+            async () => {
+              const {headingDegrees} = await import('/assets/js/shared/angles.js');
+              const format = new Intl.NumberFormat('en').format;
+              return [-0.001, 6.283, -0.0175, -3.1416].map((theta) => format(headingDegrees(theta))).join(' ');
+            }
+            """));
   }
 
   @Test
