@@ -35,6 +35,7 @@ import org.toqa.link.message.LinkCodec;
 import org.toqa.link.trust.HandshakeException;
 import org.toqa.link.trust.LinkSocket;
 import org.toqa.link.trust.LinkTls;
+import org.toqa.testbed.LogLevel;
 
 /** A server's port and a gateway, with robots that the test plays by hand. */
 @Timeout(60)
@@ -138,7 +139,7 @@ class GatewayTest {
     ListAppender<ILoggingEvent> lines = new ListAppender<>();
     lines.start();
     logger.addAppender(lines);
-    try {
+    try (LogLevel _ = LogLevel.usual(CarriedLinks.class.getName())) {
       for (int i = 0; i < 3; i++) {
         assertEquals(Reason.NOT_ALLOWED, refusal("127.0.0.1", robot.getLocalPort() ^ 1));
       }
