@@ -49,7 +49,7 @@ class BuildingDemoIT extends BrowserTest {
       assertThat(page.locator("#gauge-left output"))
           .hasText(Pattern.compile("0\\.[0-9]*[1-9] m/s"));
       assertThat(page.locator("#value-crossTrack")).hasText(Pattern.compile("-?[0-9]+ mm"));
-      assertThat(page.locator("#ranges li")).hasCount(4);
+      assertThat(page.locator("#ranges li")).hasCount(9);
       assertThat(page.locator("#ranges li").first())
           .hasText(Pattern.compile("Sensor 1\\s*\\d\\.\\d\\d m"));
 

@@ -238,7 +238,8 @@ class FleetHealthTest {
         UUID.randomUUID());
   }
 
-  private static void await(BooleanSupplier condition) throws InterruptedException {
+  /** For what looks by the clock of the machine, as whoever watches over the fleet does. */
+  static void await(BooleanSupplier condition) throws InterruptedException {
     long end = System.nanoTime() + GUARD.toNanos();
     while (!condition.getAsBoolean()) {
       assertTrue(System.nanoTime() < end, "it does not come to be so");

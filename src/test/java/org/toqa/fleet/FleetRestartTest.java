@@ -9,6 +9,7 @@ import java.time.Instant;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.TimeUnit;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.toqa.geometry.Vec2;
 import org.toqa.grid.Cell;
@@ -181,12 +182,11 @@ class FleetRestartTest extends HallFleetTest {
     until(view -> robot(view, "r1").state() == RobotState.IDLE);
     accepted(stage.fleet.takeOutOfService("r1", "Max"));
     long task = submit("West", "East");
-    stage.awaitQuiescence(); // all that followed is stored: nothing writes the row once more
     stage.database.jdbi().useHandle(h -> h.execute("update tasks set floor = 'old hall'"));
 
     stage.restart();
 
-    until(view -> view.alerts().stream().anyMatch(alert -> isOfOldHall(alert.english())));
+    FleetHealthTest.await(() -> alerts().anyMatch(FleetRestartTest::isOfOldHall));
     Answer<TaskView> refused =
         stage
             .fleet
@@ -205,9 +205,13 @@ class FleetRestartTest extends HallFleetTest {
             "old hall", FloorDrawing.of(stage.fleet.floors().getFirst().drawing().walls()), "Max")
         .toCompletableFuture()
         .get(10, TimeUnit.SECONDS);
-    until(view -> view.alerts().isEmpty());
+    FleetHealthTest.await(() -> alerts().findAny().isEmpty());
     accepted(stage.fleet.commandTask(task, new MissionEvent.Cancel("Max", null)));
     until(view -> task(view, task).state() == TaskState.CANCELLED);
+  }
+
+  private Stream<String> alerts() {
+    return stage.fleet.snapshots().latest().alerts().stream().map(Sentence::english);
   }
 
   private static boolean isOfOldHall(String sentence) {

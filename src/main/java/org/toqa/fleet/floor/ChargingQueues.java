@@ -78,18 +78,24 @@ final class ChargingQueues {
   }
 
   /**
-   * Who has begun stays, also while it makes room for another; then who is there, who is nearest to
-   * empty, and of those alike who came first.
+   * Who has begun stays, also while it makes room for another; then who stands there, as after a
+   * restart, and does not just come by; then who is nearest to empty, and of those alike who came
+   * first.
    */
   private Stream<FloorRobot> queue(Place point) {
     return state.robots.values().stream()
         .filter(other -> hasTurnAt(other, point) && (other.isFit() || isAt(other, point)))
         .sorted(
             Comparator.comparing((FloorRobot r) -> !r.charging.hasBegun())
-                .thenComparing(r -> !isAt(r, point))
+                .thenComparing(r -> !isAt(r, point) || isGoingElsewhere(r, point))
                 .thenComparing(ChargingQueues::batteryStep)
                 .thenComparing(r -> r.charging.turn().map(Turn::since).orElseThrow())
                 .thenComparing(FloorRobot::name));
+  }
+
+  private static boolean isGoingElsewhere(FloorRobot robot, Place point) {
+    DriveGoal goal = robot.drive.goal();
+    return goal != null && !goal.goal().equals(point.position());
   }
 
   /** Batteries that differ by less are alike, so that two do not change places all the time. */
