@@ -25,6 +25,9 @@ public final class EvidenceGrid {
   /** More than one ray must tell that a cell is free: a single one may have read too far. */
   private static final float FREE = -0.5f;
 
+  /** Metres; a ray that is in a cell for less has only touched its corner. */
+  private static final double TOUCH = 1e-6;
+
   private final int width;
   private final int height;
   private final double resolution;
@@ -71,7 +74,7 @@ public final class EvidenceGrid {
           boolean isLast = left >= end;
           if (isLast && isHit) {
             add((height - 1 - up) * width + column, HIT);
-          } else if (entered < freeUntil) {
+          } else if (entered < freeUntil && left - entered > TOUCH) {
             add((height - 1 - up) * width + column, MISS);
           }
           return !isLast;

@@ -51,6 +51,12 @@ class EvidenceGridPropertyTest {
     }
   }
 
+  /** One that is exactly diagonal passes corners of walls. */
+  @Example
+  void aRayThatTouchesACornerTellsNothingOfTheCellBehind() {
+    whatIsFreeWasSeenAndIsFreeInTruth(8, 1.33, 2.53);
+  }
+
   private static OccupancyGrid ground(Random random, Vec2 free) {
     BitSet occupied = new BitSet();
     for (int i = 0; i < 40; i++) {
