@@ -24,7 +24,7 @@ class JointMotionPropertyTest {
   }
 
   @Property(tries = 200)
-  void isThereWhenItsTrajectoryEnds(
+  void endsItsMotionWithItsTrajectory(
       @ForAll("stands") JointAngles from, @ForAll("stands") JointAngles to) {
     JointMotion motion = new JointMotion(ARM, from);
     motion.setGoal(to);

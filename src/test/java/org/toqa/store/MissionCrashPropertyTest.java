@@ -44,7 +44,7 @@ class MissionCrashPropertyTest {
   void crashedOften() {
     database.close();
     Tally.add("crashes between two events of a task", crashes);
-    assertTrue(crashes > 300 && ended > 10, crashes + " crashes, " + ended + " tasks ended");
+    assertTrue(crashes > 600 && ended > 10, crashes + " crashes, " + ended + " tasks ended");
   }
 
   /**
@@ -52,7 +52,7 @@ class MissionCrashPropertyTest {
    * a new store reads. The other is never interrupted. They stay the same, and all that happened is
    * in the task's history, once and in its order.
    */
-  @Property(tries = 200)
+  @Property(tries = 400)
   void whatIsReadAfterACrashIsWhatWasLived(
       @ForAll("tasks") TransportTask ordered, @ForAll("events") List<MissionEvent> events) {
     UUID key = UUID.randomUUID();
