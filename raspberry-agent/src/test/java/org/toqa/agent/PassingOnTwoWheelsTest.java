@@ -11,6 +11,7 @@ import java.util.List;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -29,6 +30,7 @@ import org.toqa.motion.Segment;
  * A robot that cannot go sideways, with range sensors ahead and to both sides, drives 4 m to the
  * east from (2, 3), and is lent room whenever it asks for it.
  */
+@Tag("full")
 class PassingOnTwoWheelsTest {
   private static final int PIECES = 10;
   private static final Segment PIECE = new Segment(0.25, 0, 1.6);

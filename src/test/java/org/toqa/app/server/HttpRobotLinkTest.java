@@ -20,6 +20,7 @@ import java.util.concurrent.atomic.AtomicLong;
 import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -51,6 +52,7 @@ import org.toqa.motion.Segment;
 import org.toqa.testbed.LinkRecorder;
 
 /** A robot that takes wheel commands over HTTP, as the fleet sees it through its link. */
+@Tag("full")
 class HttpRobotLinkTest {
   private static final RobotToken TOKEN = new RobotToken("a-token-of-a-test");
   private static final Pose START = new Pose(3, 4, 0);

@@ -13,6 +13,7 @@ import java.util.List;
 import org.eclipse.paho.client.mqttv3.MqttException;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.toqa.accounts.Secret;
 import org.toqa.fleet.RobotState;
@@ -20,6 +21,7 @@ import org.toqa.telemetry.Refusal;
 import org.toqa.testbed.MqttTestClient;
 
 /** The embedded broker with two sites, and robots and programs at it by Eclipse Paho. */
+@Tag("full")
 class EmbeddedBrokerTest {
   private static final String RANGE = "{\"stamp\":1,\"metres\":[0.5,1.25]}";
 
