@@ -8,6 +8,7 @@ import com.microsoft.playwright.Locator;
 import com.microsoft.playwright.Page;
 import com.microsoft.playwright.Route;
 import com.microsoft.playwright.options.AriaRole;
+import com.microsoft.playwright.options.BoundingBox;
 import java.time.Instant;
 import java.util.List;
 import java.util.Map;
@@ -414,8 +415,10 @@ class ManagerPagesInBrowserTest extends PagesInBrowser {
     Locator forward = button(page, "Forward");
     assertFits(page, "control-hand", DARK_PHONE, PHONE);
     int before = server.fleet().manualOrders().size();
+    assertStaysUnderTheThumb(page, forward);
     forward.hover();
     page.mouse().down();
+    assertThat(forward).hasClass(Pattern.compile("\\bpressed\\b"));
     page.waitForCondition(() -> server.fleet().manualOrders().size() > before + 3);
     assertEquals(ManualOrder.MAX_SPEED, lastManualOrder().speed());
     page.mouse().up();
@@ -439,6 +442,15 @@ class ManagerPagesInBrowserTest extends PagesInBrowser {
     button(page, "Stop driving by hand").click();
     assertThat(button(page, "Drive by hand")).isVisible();
     page.waitForCondition(() -> driver("r2") == null);
+  }
+
+  /** Though the line is lost, which is said above it. */
+  private static void assertStaysUnderTheThumb(Page page, Locator button) {
+    BoundingBox place = button.boundingBox();
+    page.evaluate("document.querySelector('#connection').hidden = false");
+    assertThat(page.locator("#connection")).isVisible();
+    assertEquals(place.y, button.boundingBox().y);
+    page.evaluate("document.querySelector('#connection').hidden = true");
   }
 
   private ManualOrder lastManualOrder() {
