@@ -54,7 +54,8 @@ import org.toqa.wording.Sentence;
  * answer box another robot
  * hold box                          also: hold a, hold all; resume ...
  * a never bids                      also: bids late, refuses awards, bids strangely, bids as usual
- * a breaks                          also: is mended, falls silent, speaks again, sticks, is let go, misses the end, is pushed east
+ * a breaks                          also: is mended, falls silent, speaks again, sticks, is let go, misses the end,
+ *                                   loses its followers, is pushed east
  * restart                           of the server
  * expect box CARRYING
  * expect box by a
@@ -252,6 +253,7 @@ final class FleetScenario {
       case "sticks" -> robot.setStuck(true);
       case "is let go" -> robot.setStuck(false);
       case "misses the end" -> robot.missEnd();
+      case "loses its followers" -> robot.loseFollowers();
       case "is pushed east" -> robot.shove(new Vec2(3, 0));
       default -> throw new IllegalArgumentException("What is \"" + what + "\"?");
     }

@@ -15,6 +15,12 @@ final class ScriptedFormation {
   private @Nullable Lead leading;
   private @Nullable Follow following;
 
+  /** Whether its followers go elsewhere after its next order to lead. */
+  private boolean losesFollowers;
+
+  /** The order by which it finds none of its followers; null: there is none. */
+  private @Nullable Lead outdated;
+
   /** How often it has brought a formation to where that went; others read it. */
   private volatile int ends;
 
@@ -31,11 +37,20 @@ final class ScriptedFormation {
 
   void lead(Lead order) {
     leading = order;
+    if (losesFollowers) {
+      outdated = order;
+      losesFollowers = false;
+    }
   }
 
   void follow(Follow order) {
     following = order;
     endsBefore = leader().formation().ends;
+  }
+
+  /** By its next order to lead it finds none of its followers, by the one after that all. */
+  void loseFollowers() {
+    losesFollowers = true;
   }
 
   void cancel() {
@@ -86,7 +101,8 @@ final class ScriptedFormation {
         ? null
         : lead.followers().stream()
             .map(ServerMessage.Follower::robot)
-            .filter(follower -> !peers.apply(follower).isKeepingPlace(lead.task()))
+            .filter(
+                follower -> lead == outdated || !peers.apply(follower).isKeepingPlace(lead.task()))
             .findFirst()
             .orElse(null);
   }

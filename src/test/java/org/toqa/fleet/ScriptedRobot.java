@@ -211,6 +211,11 @@ public final class ScriptedRobot {
     condition.missesEnd = true;
   }
 
+  /** Its followers will not be where it is told that they are. */
+  synchronized void loseFollowers() {
+    formation.loseFollowers();
+  }
+
   /** From now on it follows nobody. */
   synchronized void stay() {
     condition.stays = true;

@@ -29,6 +29,9 @@ final class DriveDispatcher {
   /** A follower whose leader has ended says by then that it has ended too. */
   private static final Duration LEFT_BEHIND_PATIENCE = Duration.ofSeconds(2);
 
+  /** A leader has found again by then whom it only did not hear. */
+  private static final Duration SEPARATED_PATIENCE = Duration.ofSeconds(15);
+
   /** Robots that have picked a load up together have set out by then. */
   private static final Duration UNFOLLOWED_PATIENCE = Duration.ofSeconds(3);
 
@@ -65,6 +68,7 @@ final class DriveDispatcher {
             || isLoadAhead(robot)
             || isCutOff(robot)
             || updateOffPath(robot)
+            || updateSeparated(robot)
             || isDriveUnwanted(robot);
     if (isStray) {
       cancelUnwantedDrive(robot);
@@ -184,6 +188,12 @@ final class DriveDispatcher {
       state.traffic.giveUpZone(robot.name());
     }
     return robot.offPath.update(isOff, OFF_PATH_PATIENCE, state.now);
+  }
+
+  /** Whether it has long sought followers in vain: it is stopped, and told anew where they are. */
+  private boolean updateSeparated(FloorRobot robot) {
+    return robot.separated.update(
+        state.formations.isSeparated(robot), SEPARATED_PATIENCE, state.now);
   }
 
   /** Nobody wants its drive any more, as when a returning robot is needed elsewhere. */

@@ -69,6 +69,9 @@ final class FloorRobot {
   /** That it follows, or would, though its leader has ended. */
   final ConditionTimer leftBehind = new ConditionTimer();
 
+  /** That it stands as a leader for followers that follow. */
+  final ConditionTimer separated = new ConditionTimer();
+
   /** While it leads a group, not all of which follow it. */
   final ConditionTimer unfollowed = new ConditionTimer();
 

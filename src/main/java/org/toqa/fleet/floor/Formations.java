@@ -275,6 +275,32 @@ final class Formations {
         .toList();
   }
 
+  /**
+   * Whether the robot leads and stands for its followers, of whom the server hears that all follow
+   * and nothing keeps them: it seeks one where that is no more, as after an address has changed.
+   */
+  boolean isSeparated(FloorRobot leader) {
+    LastReport report = leader.reported.report();
+    return report.role() == Role.LEADER
+        && report.hasError(LastReport.FORMATION_STOPPED)
+        && !report.moving()
+        && !leader.hold.isHeld()
+        && carryingMission(leader.name()).filter(this::isFollowedFreely).isPresent();
+  }
+
+  private boolean isFollowedFreely(Mission mission) {
+    return isFollowedByAll(mission)
+        && mission.assignedRobots().stream()
+            .skip(1)
+            .map(assigned -> state.robots.get(assigned.robot()))
+            .filter(Objects::nonNull)
+            .allMatch(
+                robot ->
+                    robot.isHeard()
+                        && !robot.hold.isHeld()
+                        && !robot.reported.report().hasErrorBut(LastReport.LEADER_LOST));
+  }
+
   static boolean isFollowing(FloorRobot robot, Mission mission) {
     LastReport report = robot.reported.report();
     return report.role() == Role.FOLLOWER

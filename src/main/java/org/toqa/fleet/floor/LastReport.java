@@ -45,6 +45,12 @@ record LastReport(
   /** The code by which a robot reports that it does not find its way through a free zone. */
   static final String ZONE_STUCK = "ZONE_STUCK";
 
+  /** The code by which a leader reports that it is stopped for a follower's sake. */
+  static final String FORMATION_STOPPED = "FORMATION_STOPPED";
+
+  /** The code by which a follower reports that it does not hear its leader. */
+  static final String LEADER_LOST = "LEADER_LOST";
+
   /** Of a robot that was never heard of. */
   static final LastReport NONE =
       new LastReport(
@@ -110,6 +116,11 @@ record LastReport(
   /** Whether one of its errors has this code. */
   boolean hasError(String code) {
     return errors.stream().anyMatch(fault -> fault.code().equals(code));
+  }
+
+  /** Whether it says that something is wrong, other than with that code. */
+  boolean hasErrorBut(String code) {
+    return errors.stream().anyMatch(fault -> !fault.code().equals(code));
   }
 
   /** What readers see of it. */
