@@ -52,8 +52,11 @@ public final class FloorReader {
     return read(archive.main());
   }
 
-  /** The same drawing, where places may also lie in walls or off the map, as while it is drawn. */
-  public static FloorDrawing readDraft(MapArchive archive) throws MapFormatException {
+  /**
+   * The same drawing as it was stored: places may also lie in walls or off the map, as while it is
+   * drawn, and are called as was allowed when they were named.
+   */
+  public static FloorDrawing readStored(MapArchive archive) throws MapFormatException {
     return read(archive.main(), false).drawing();
   }
 
@@ -186,7 +189,8 @@ public final class FloorReader {
   }
 
   /**
-   * @param grid on whose free cells they must lie; null: they may lie anywhere
+   * @param grid on whose free cells they must lie; null: they may lie anywhere, and are called as
+   *     they are
    */
   private static List<Place> places(
       YamlFields yaml, String key, @Nullable OccupancyGrid grid, Set<String> names)
@@ -195,7 +199,7 @@ public final class FloorReader {
     for (YamlFields item :
         yaml.items(key, List.of("name", "x", "y", "headingDegrees", "approach"))) {
       String name = item.text("name").strip();
-      if (!FloorLimits.isName(name)) {
+      if (grid != null && !FloorLimits.isName(name)) {
         throw item.error(
             "name", "must have 1 to " + FloorLimits.LONGEST_NAME + " letters on one line.");
       }

@@ -113,17 +113,42 @@ public final class Database implements AutoCloseable {
    */
   public static Database open(String database, String user, String password) {
     String url = H2Url.isH2(database) ? H2Url.withSettings(database) : database;
-    try (HikariDataSource migrationPool = new HikariDataSource(config(url, user, password))) {
-      Flyway.configure(Database.class.getClassLoader())
-          .dataSource(migrationPool)
-          .locations("classpath:sql")
-          .load()
-          .migrate();
-      if (!url.startsWith(MYSQL)) {
-        closeIdentityGaps(Jdbi.create((DataSource) migrationPool));
-      }
-    }
+    migrate(url, user, password);
     return new Database(url, user, password, READ_LIMIT);
+  }
+
+  private static void migrate(String url, String user, String password) {
+    H2Migration.Replacement newer;
+    try (HikariDataSource pool = new HikariDataSource(config(url, user, password))) {
+      if (!H2Url.isOwnFile(url) || flyway(pool).info().pending().length == 0) {
+        migrate(pool, url);
+        return;
+      }
+      newer = H2Migration.migrateCopy(url, pool, copy -> migrateCopy(copy, user, password));
+      H2Migration.shutDown(pool);
+    }
+    newer.carryOut();
+  }
+
+  private static void migrateCopy(String url, String user, String password) {
+    try (HikariDataSource pool = new HikariDataSource(config(url, user, password))) {
+      migrate(pool, url);
+      H2Migration.shutDown(pool);
+    }
+  }
+
+  private static void migrate(DataSource source, String url) {
+    flyway(source).migrate();
+    if (!url.startsWith(MYSQL)) {
+      closeIdentityGaps(Jdbi.create(source));
+    }
+  }
+
+  private static Flyway flyway(DataSource source) {
+    return Flyway.configure(Database.class.getClassLoader())
+        .dataSource(source)
+        .locations("classpath:sql")
+        .load();
   }
 
   /**

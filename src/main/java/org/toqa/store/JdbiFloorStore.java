@@ -67,7 +67,7 @@ public final class JdbiFloorStore implements FloorStore {
 
   private static FloorDrawing drawing(String floor, byte[] files) {
     try {
-      return FloorReader.readDraft(MapArchive.unpack(files));
+      return FloorReader.readStored(MapArchive.unpack(files));
     } catch (MapFormatException e) {
       throw new StoreException("The stored map of " + floor + " is damaged: " + e.getMessage(), e);
     }

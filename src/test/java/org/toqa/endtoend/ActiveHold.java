@@ -80,6 +80,11 @@ final class ActiveHold {
     site.server.awaitAccepted(path, Map.of());
   }
 
+  /** Whether people may have cancelled the task that is held: then it need not stay so. */
+  boolean isCancelled(WorkLedger ledger) {
+    return ledger.cancels().stream().anyMatch(task -> path.equals("tasks/" + task));
+  }
+
   /** Whether nothing has moved, and it is still told. */
   void check() throws Exception {
     List<String> mustStand = new ArrayList<>(places.keySet());
@@ -122,8 +127,12 @@ final class ActiveHold {
     return first.get();
   }
 
+  /** Unless what was held is over. */
   void resume() throws Exception {
-    site.server.awaitAccepted(path + "/resume", Map.of());
+    if (kind != Work.Kind.TASK_HOLD
+        || site.server.await(path, task -> true).get("held").asBoolean()) {
+      site.server.awaitAccepted(path + "/resume", Map.of());
+    }
   }
 
   private static TaskState state(JsonNode task) {

@@ -91,7 +91,9 @@ final class CrashRun {
         count(Work.Kind.PUBLICATION);
       }
       if (hold.isPresent()) {
-        hold.get().check();
+        if (!hold.get().isCancelled(ledger)) {
+          hold.get().check();
+        }
         hold.get().resume();
         count(step.before().kind());
       }

@@ -11,6 +11,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
+import java.util.stream.Collectors;
 import tools.jackson.databind.JsonNode;
 
 /** What the server said to the work of one run, and whether all of that has come true. */
@@ -64,6 +65,14 @@ final class WorkLedger {
   /** What was once accepted stays so. */
   void addCancel(long task, Answer answer) {
     cancels.merge(task, answer, (before, now) -> before == Answer.ACCEPTED ? before : now);
+  }
+
+  /** The tasks that may be cancelled: so it was asked, and not refused. */
+  Set<Long> cancels() {
+    return cancels.entrySet().stream()
+        .filter(cancel -> cancel.getValue() != Answer.REFUSED)
+        .map(Map.Entry::getKey)
+        .collect(Collectors.toUnmodifiableSet());
   }
 
   /** Of the tasks that were accepted one by one, in their order. */

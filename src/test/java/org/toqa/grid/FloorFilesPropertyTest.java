@@ -1,6 +1,7 @@
 package org.toqa.grid;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
 
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
@@ -10,6 +11,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Random;
 import java.util.Set;
+import net.jqwik.api.Example;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
 import net.jqwik.api.constraints.IntRange;
@@ -53,6 +55,28 @@ class FloorFilesPropertyTest {
 
     assertSame(floor.drawing(), read.drawing());
     assertEquals(FloorWriter.fileName(floor.name()), read.name());
+  }
+
+  /** As an older release let them be. */
+  @Example
+  void aStoredFloorIsReadThoughItsPlacesMayNotBeCalledSoAnyMore() throws MapFormatException {
+    List<Place> stations =
+        List.of(
+            new Place("\u200f\u0645\u062d\u0637\u0629", new Vec2(0.5, 0.5)),
+            new Place("x\u2028y", new Vec2(1.5, 0.5)));
+    FloorDrawing drawing =
+        new FloorDrawing(
+            new OccupancyGrid(2, 1, 1, new Vec2(0, 0), new BitSet()),
+            stations,
+            List.of(),
+            List.of(),
+            List.of(),
+            List.of(),
+            List.of());
+    MapArchive stored = MapArchive.unpack(FloorWriter.mapServerFiles("hall", drawing).pack());
+
+    assertSame(drawing, FloorReader.readStored(stored));
+    assertThrows(MapFormatException.class, () -> FloorReader.read(stored));
   }
 
   @Property(tries = 100)

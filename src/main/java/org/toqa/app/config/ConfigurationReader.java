@@ -173,7 +173,7 @@ record ConfigurationReader(List<SettingSource> layers) {
 
   private InetAddress address(Setting setting) throws ConfigurationException {
     try {
-      return InetAddress.getByName(text(setting));
+      return LocalAddress.parse(text(setting));
     } catch (UnknownHostException e) {
       throw outOfRange(setting);
     }

@@ -12,6 +12,7 @@ import org.jspecify.annotations.Nullable;
 import org.toqa.app.command.Arguments;
 import org.toqa.app.command.PlaceArgument;
 import org.toqa.app.command.StopSignal;
+import org.toqa.app.config.LocalAddress;
 import org.toqa.geometry.Pose;
 import org.toqa.link.http.RobotToken;
 import org.toqa.link.trust.Identity;
@@ -163,7 +164,7 @@ public final class HttpRobotCommand implements Callable<Integer> {
 
   private InetAddress address(Arguments arguments) {
     try {
-      return InetAddress.getByName(address);
+      return LocalAddress.parse(address);
     } catch (UnknownHostException e) {
       throw arguments.invalid("--address " + address + " is no address of this machine");
     }

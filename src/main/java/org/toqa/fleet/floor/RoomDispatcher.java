@@ -34,7 +34,8 @@ final class RoomDispatcher {
     } else if (isInNeed(robot, said) && state.traffic.lendRoom(name, said.obstacles(), state.now)) {
       robot.room.lend();
       Vec2 seen = said.obstacles().getFirst();
-      log.info("{}: is lent room to drive round what it sees at {}.", name, seen);
+      log.info(
+          "{}: is lent room to drive round what it sees at ({}, {}).", name, seen.x(), seen.y());
     }
   }
 

@@ -124,6 +124,8 @@ class ConfigurationTest {
         "REQUEST_SECONDS | 0            | seconds from 1 to 3600",
         "SESSIONS_PER_USER | 0          | from 1 to 10000",
         "ADDRESS       | no such host   | a host name or IP address",
+        "ADDRESS       | 203.0.113.7    | a host name or IP address of this machine",
+        "MQTT_ADDRESS  | 203.0.113.7    | a host name or IP address of this machine",
         "DATA          | ''             | a folder",
         "DATA          | pom.xml        | it must be a folder",
         "MAP           | floor.bmp      | .yaml (ROS map_server) or .map",
