@@ -47,7 +47,9 @@ export class ConnectionStatus {
     this.show();
     const banner = $('#banner');
     banner.hidden = isLive;
-    if (!isLive) {
+    if (isLive) {
+      $('#offline').hidden = true; // what was not sent can be sent again
+    } else {
       banner.replaceChildren(text(`map.${connection}`));
     }
     if (connection === 'loggedOut') {

@@ -7,28 +7,40 @@ const PATIENCE = 5_000;
 
 const banner = document.getElementById('offline');
 let heardAt = performance.now(); // the page has just come
-let isAsking = false;
+let pressed; // the last press, which alone counts, as it does where nobody asks
 
-/** A form is sent only to a server that is there: else the browser would show its own page, and the entries were gone. */
+/**
+ * A form with entries is sent only to a server that is there: else the browser would show its own page, and they were
+ * gone. One without has nothing to lose, and is sent at once: what stops robots must not wait.
+ */
 document.addEventListener('submit', async (event) => {
   const form = event.target;
-  if (event.defaultPrevented || form.method !== 'post' || performance.now() - heardAt < FRESH) {
+  if (event.defaultPrevented || form.method !== 'post') {
+    return;
+  }
+  pressed = event;
+  if (!form.querySelector('input:not([type=hidden]), select, textarea') || performance.now() - heardAt < FRESH) {
     return;
   }
   event.preventDefault();
-  if (isAsking) {
+  const {submitter} = event;
+  if (!(await isHeard())) {
+    showUnsent();
     return;
   }
-  isAsking = true;
-  const isThere = await isHeard();
-  isAsking = false;
-  if (isThere) {
-    heardAt = performance.now();
-    form.requestSubmit(event.submitter);
-  } else {
-    showUnsent();
+  heardAt = performance.now();
+  if (pressed === event) {
+    submit(form, submitter);
   }
 });
+
+function submit(form, submitter) {
+  if (!form.isConnected) { // its live region was replaced meanwhile
+    form.hidden = true;
+    document.body.append(form);
+  }
+  form.requestSubmit(submitter);
+}
 
 /** Whatever it answers. */
 async function isHeard() {
@@ -49,5 +61,6 @@ function showUnsent() {
     sentence.hidden = sentence.dataset.connection !== 'unsent';
   }
   banner.hidden = false;
+  banner.parentElement.prepend(banner); // it answers what was just pressed
   banner.scrollIntoView({block: 'nearest'});
 }

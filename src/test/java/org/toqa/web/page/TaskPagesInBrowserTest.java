@@ -6,10 +6,12 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import com.microsoft.playwright.Browser;
 import com.microsoft.playwright.Locator;
 import com.microsoft.playwright.Page;
+import com.microsoft.playwright.Route;
 import com.microsoft.playwright.options.AriaRole;
 import com.microsoft.playwright.options.FilePayload;
 import java.nio.charset.StandardCharsets;
 import java.time.Instant;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.regex.Pattern;
 import org.junit.jupiter.api.Test;
@@ -120,15 +122,10 @@ class TaskPagesInBrowserTest extends PagesInBrowser {
 
   @Test
   void aFormThatTheServerDoesNotHearKeepsItsEntries() {
-    Page page = openPage(new Browser.NewContextOptions());
-    page.clock().install();
-    page.navigate(server.root().toString());
-    logIn(page, WebTestServer.MANAGER);
-    page.navigate(server.root() + "tasks/new");
+    Page page = pageThatIsLongUnheard("tasks/new");
     page.getByLabel("Task name").fill("Box of bolts");
     page.getByLabel("Load (kg)").fill("2.5");
     page.locator("#startStation").selectOption("Dock A");
-    page.clock().fastForward(60_000);
     page.context().setOffline(true);
 
     button(page, "Create task").click();
@@ -142,6 +139,86 @@ class TaskPagesInBrowserTest extends PagesInBrowser {
     page.context().setOffline(false);
     button(page, "Create task").click();
     assertThat(page.locator("#goalStation")).isFocused(); // it was sent, and has no goal
+  }
+
+  @Test
+  void whatStopsRobotsWaitsForNoAnswer() {
+    Page page = pageThatIsLongUnheard("tasks/new");
+    page.getByLabel("Task name").fill("Box of bolts");
+    List<Route> asked = holdQuestions(page);
+    button(page, "Create task").click();
+    await(page, () -> !asked.isEmpty());
+
+    button(page, "Pause all robots").click();
+
+    assertThat(page.locator("#pause.paused")).isVisible();
+  }
+
+  @Test
+  void ofTwoFormsTheOneThatWasPressedLastIsSent() {
+    Page page = pageThatIsLongUnheard("robots/r1");
+    List<Route> asked = holdQuestions(page);
+    button(page, "Set position").click();
+    page.locator("#change-host").fill("");
+    button(page, "Save").click();
+    await(page, () -> asked.size() == 2);
+
+    asked.forEach(Route::resume);
+
+    assertThat(page.locator("#change-host")).isFocused(); // for its fault
+  }
+
+  @Test
+  void aFormIsSentThoughItsRegionIsReplacedMeanwhile() {
+    pageOfNewTask("2.5");
+    Page page = pageThatIsLongUnheard("tasks/1");
+    List<Route> asked = holdQuestions(page);
+    page.locator("#priority").selectOption("High");
+    button(page, "Change priority").click();
+    await(page, () -> !asked.isEmpty());
+    server.fleet().changeTask(1, TaskState.CARRYING, List.of("r1"), "r1 carries the load.");
+    assertThat(page.locator("[aria-current=step]")).hasText("Carrying");
+    assertThat(page.locator("#priority")).hasValue("0"); // that of now
+
+    asked.forEach(Route::resume);
+
+    assertThat(page.locator("#priority")).hasValue("10");
+  }
+
+  @Test
+  void onTheMapItIsSeenThatAFormIsNotSent() {
+    server.fleet().holdFloor("hall", "Ann");
+    Page page = pageThatIsLongUnheard("map");
+    page.locator("#floors summary:visible").click();
+    page.context().setOffline(true);
+    page.clock().fastForward(60_000);
+    assertThat(page.locator("#banner")).isVisible();
+
+    page.locator("#floors details[open] button").click();
+
+    assertThat(page.locator("#offline > span:visible")).containsText("Not sent");
+    assertFits(page, "map-unsent", DESK, PHONE);
+    page.context().setOffline(false);
+    assertThat(page.locator("#offline")).isHidden();
+  }
+
+  /** The server was heard when the page came, and not since. */
+  private Page pageThatIsLongUnheard(String path) {
+    Page page = openPage(new Browser.NewContextOptions());
+    page.clock().install();
+    page.navigate(server.root().toString());
+    logIn(page, WebTestServer.MANAGER);
+    page.navigate(server.root() + path);
+    page.waitForLoadState();
+    page.clock().fastForward(60_000);
+    return page;
+  }
+
+  /** Questions whether the server is there, which wait until they are resumed. */
+  private static List<Route> holdQuestions(Page page) {
+    List<Route> asked = new ArrayList<>();
+    page.route("**/api/v1/health", asked::add);
+    return asked;
   }
 
   @Test
