@@ -201,7 +201,10 @@ public final class FloorReader {
       String name = item.text("name").strip();
       if (grid != null && !FloorLimits.isName(name)) {
         throw item.error(
-            "name", "must have 1 to " + FloorLimits.LONGEST_NAME + " letters on one line.");
+            "name",
+            "must have 1 to "
+                + FloorLimits.LONGEST_NAME
+                + " letters on one line, all of which can be shown.");
       }
       if (!names.add(name)) {
         throw item.error("name", "'" + name + "' is there twice; give each place its own.");

@@ -5,6 +5,10 @@ import {isPlace} from './drawing.js';
 
 const FARTHEST = 100_000; // metres
 
+/** What the server takes for no name either (CleanText, GivenName): what cannot be shown, and what shows nothing. */
+const UNSHOWN = /[\p{Cc}\p{Cs}\p{Zl}\p{Zp}\p{Co}\p{Cn}]|(?![\u200c\u200d])\p{Cf}/u;
+const SHOWN = /[^\s\p{Z}\p{Cf}]/u;
+
 /** The fields of each kind of thing. */
 const FIELDS = {
   stations: ['name', 'x', 'y', 'headingDegrees', 'approach'],
@@ -138,7 +142,7 @@ export class Panel {
 
   #nameIn(input, {kind, index}) {
     const name = input.value.trim();
-    if (name === '' || [...name].length > this.longestName) {
+    if (!SHOWN.test(name) || UNSHOWN.test(name) || [...name].length > this.longestName) {
       return [undefined, text('editor.error.name', this.longestName)];
     }
     const isTaken = [...this.#editor.drawing.all()].some(

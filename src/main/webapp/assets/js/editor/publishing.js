@@ -64,11 +64,13 @@ export class Publishing {
       this.#showProblems([], reasonOf(status, body));
       return false;
     }
-    this.#showProblems(body, body.length === 0 ? text('editor.noProblems') : text('editor.problems.count', body.length));
     if (this.#changes !== checked) {
-      this.#outdateProblems();
+      this.#showProblems(body, text('editor.changedMeanwhile'));
+      this.problems = [];
+      this.#editor.redraw();
       return false;
     }
+    this.#showProblems(body, body.length === 0 ? text('editor.noProblems') : text('editor.problems.count', body.length));
     return true;
   }
 

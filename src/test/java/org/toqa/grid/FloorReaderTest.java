@@ -75,6 +75,7 @@ class FloorReaderTest {
           stations: [{name: A, x: .nan, y: 2.5}]                   | finite
           stations: [{name: A, x: 1e9, y: 2.5}]                    | at most 100000
           stations: [{name: '', x: 1.5, y: 1.5}]                   | 1 to 64 letters
+          stations: [{name: "A\\u200F", x: 1.5, y: 1.5}]             | all of which can be shown
           stations: [{name: 7, x: 1.5, y: 1.5}]                    | quotes
           keepOut: [{x: 1, y: 1, width: 0, height: 1}]             | larger than 0
           moves: curvy                                             | one of heading, smooth, not 'curvy'

@@ -115,12 +115,13 @@ final class DrawingReader {
     List<Place> places = new ArrayList<>();
     for (JsonFields item : fields.objects(kind, FloorLimits.MOST_OF_A_KIND)) {
       String name = Optional.ofNullable(item.text("name")).orElse("").strip();
+      Vec2 position = new Vec2(metres(item, "x"), metres(item, "y"));
       if (!FloorLimits.isName(name)) {
-        refuse(item, "name", "error.drawing.name", FloorLimits.LONGEST_NAME);
+        int longest = FloorLimits.LONGEST_NAME;
+        refuse(item, "name", "error.drawing.name", longest, position.x(), position.y());
       } else if (!names.add(name)) {
         refuse(item, "name", "error.drawing.nameTwice", name);
       }
-      Vec2 position = new Vec2(metres(item, "x"), metres(item, "y"));
       Direction approach = item.has("approach") ? optionalDirection(item) : null;
       places.add(new Place(name, position, heading(item), approach));
       item.refuseUnknown();

@@ -141,6 +141,18 @@ class ApiFloorsTest extends WebServerTest {
     get("map?at=yesterday", 422);
   }
 
+  @Test
+  void itIsSaidWhichPlaceNeedsAnotherName() {
+    String drawing = DRAWING.replace("\"name\":\"P1\"", "\"name\":\"P1\u200f\"");
+
+    JsonNode answer = post("floors/hall/draft/check", "{\"drawing\":" + drawing + "}", 422);
+
+    assertEquals(
+        "The place at 0.25, 0.25 m needs a name of 1 to 64 letters on one line, all of which can"
+            + " be shown.",
+        answer.get("detail").asString());
+  }
+
   @ParameterizedTest
   @CsvSource(
       delimiter = '|',

@@ -261,6 +261,52 @@ class EditorInBrowserTest extends PagesInBrowser {
   }
 
   @Test
+  void aNameThatCannotBeShownIsRefusedAtOnce() {
+    Page page = editor(WebTestServer.MANAGER);
+    tool(page, "stations");
+    click(page, 8.25, 3.15);
+    Locator name = page.locator("[data-field=name]");
+    for (String wrong :
+        List.of("Dock\u200f", "Dock \ue000", "Do\u0085ck", "\u200d", "a".repeat(65))) {
+      name.fill(wrong);
+      name.press("Tab");
+      assertThat(page.locator("#thing-error"))
+          .hasText(
+              "Enter a name of 1 to 64 letters, all of which can be shown. Type it where a pasted"
+                  + " one is not taken.");
+      name.fill("Dock");
+      name.press("Tab");
+      assertThat(page.locator("#thing-error")).isEmpty();
+    }
+    name.fill("Dock\u200f");
+    name.press("Tab");
+    assertFits(page, "editor-name", PHONE, DESK);
+    name.fill("می\u200cخواهم 👷🏽\u200d♀️");
+    name.press("Tab");
+    awaitDraft(drawing -> drawing.stations().getLast().name().contains("👷🏽\u200d♀️"));
+  }
+
+  @Test
+  void thatTheDrawingHasChangedWhileItWasCheckedIsSaid() {
+    Page page = editor(WebTestServer.MANAGER);
+    tool(page, "stations");
+    click(page, 8.25, 3.15);
+    List<Route> asked = new ArrayList<>();
+    page.route("**/draft/check", asked::add);
+    page.locator("#publish").click();
+    await(page, () -> !asked.isEmpty());
+    click(page, 8.25, 4.05);
+
+    asked.forEach(Route::resume);
+
+    assertThat(page.locator("#problems-summary"))
+        .hasText("The drawing has changed meanwhile. Check or publish it again.");
+    assertThat(page.locator("#said")).hasText(page.locator("#problems-summary").textContent());
+    assertThat(page.locator("#publishing")).isHidden();
+    assertFits(page, "editor-changed-meanwhile", PHONE, DESK);
+  }
+
+  @Test
   void aPlanIsImportedAndWhatIsInItsWallsIsNotPublished() throws IOException {
     Page page = editor(WebTestServer.MANAGER);
     page.locator("#import-file").evaluate("field => field.closest('details').open = true");
