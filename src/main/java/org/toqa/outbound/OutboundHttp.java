@@ -6,6 +6,7 @@ import java.util.concurrent.Executors;
 import java.util.concurrent.ScheduledExecutorService;
 import java.util.concurrent.ScheduledFuture;
 import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicBoolean;
 import org.apache.hc.client5.http.DnsResolver;
 import org.apache.hc.client5.http.classic.methods.HttpUriRequestBase;
 import org.apache.hc.client5.http.config.ConnectionConfig;
@@ -31,6 +32,22 @@ public final class OutboundHttp implements AutoCloseable {
   @FunctionalInterface
   public interface AnswerReader<T> {
     T read(ClassicHttpResponse answer) throws IOException;
+  }
+
+  /** A request took longer than it may as a whole. */
+  public static final class WholeLimitException extends IOException {
+    private static final long serialVersionUID = 1;
+
+    private final Duration limit;
+
+    public WholeLimitException(Duration limit, IOException cause) {
+      super("It did not end within " + limit.toMillis() + " ms.", cause);
+      this.limit = limit;
+    }
+
+    public Duration limit() {
+      return limit;
+    }
   }
 
   /**
@@ -76,12 +93,25 @@ public final class OutboundHttp implements AutoCloseable {
             Thread.ofVirtual().name("limit of " + name).factory());
   }
 
-  /** Sends it, and gives what was read of the answer. */
+  /**
+   * Sends it, and gives what was read of the answer.
+   *
+   * @throws WholeLimitException it was ended here
+   */
   public <T> T send(HttpUriRequestBase request, AnswerReader<T> reader) throws IOException {
+    AtomicBoolean isLate = new AtomicBoolean();
     ScheduledFuture<?> end =
-        limiter.schedule(request::abort, wholeLimit.toMillis(), TimeUnit.MILLISECONDS);
+        limiter.schedule(
+            () -> {
+              isLate.set(true);
+              request.abort();
+            },
+            wholeLimit.toMillis(),
+            TimeUnit.MILLISECONDS);
     try {
       return reader.read(client.executeOpen(null, request, null));
+    } catch (IOException e) {
+      throw isLate.get() ? new WholeLimitException(wholeLimit, e) : e;
     } finally {
       end.cancel(false);
       request.abort(); // nobody reads on

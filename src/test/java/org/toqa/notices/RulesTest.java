@@ -4,7 +4,10 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.io.IOException;
 import java.net.InetAddress;
+import java.net.NoRouteToHostException;
+import java.net.SocketException;
 import java.net.SocketTimeoutException;
 import java.net.URI;
 import java.time.Duration;
@@ -24,6 +27,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.toqa.notices.Delivery.Receiver;
+import org.toqa.outbound.OutboundHttp;
 import org.toqa.wording.Sentence;
 
 /** The rules of who is told what and when, and how it is signed. */
@@ -250,6 +254,28 @@ class RulesTest {
     for (String wrong : List.of("10.2.0.0/33", "10.2.0.0/", "host", "", "10.2.0.0/-1")) {
       assertTrue(WebhookAddresses.Network.parse(wrong).isEmpty(), wrong);
     }
+  }
+
+  @Test
+  void aReceiverThatBrokeNothingOffIsNotSaidToHave() {
+    String unreachable =
+        "example.org cannot be reached: it is off, or the network has no way there. Check the"
+            + " address, and the network of the server.";
+    assertEquals(unreachable, sentenceOf(new NoRouteToHostException("No route to host")));
+    assertEquals(unreachable, sentenceOf(new SocketException("Network is unreachable")));
+    assertEquals(
+        "example.org does not answer within 20 s. Check that the receiver runs and answers at once.",
+        sentenceOf(
+            new OutboundHttp.WholeLimitException(
+                Duration.ofSeconds(20), new SocketException("Socket closed"))));
+    assertEquals(
+        "example.org broke the connection off: Connection reset",
+        sentenceOf(new SocketException("Connection reset")));
+  }
+
+  private static String sentenceOf(IOException failure) {
+    URI url = URI.create("https://example.org/hook");
+    return WebhookException.of(url, failure, Duration.ofSeconds(10)).sentence().english();
   }
 
   @Test
