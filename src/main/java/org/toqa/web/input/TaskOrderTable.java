@@ -3,6 +3,7 @@ package org.toqa.web.input;
 import java.time.Instant;
 import java.time.ZoneId;
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
@@ -44,6 +45,9 @@ final class TaskOrderTable {
           "onlyRobots",
           "length",
           "width");
+
+  /** Columns by which the others are read. */
+  private static final Set<String> LEADING = Set.of("kind", TemplateFiller.TEMPLATE);
 
   private final CsvTable table;
   private final ZoneId zone;
@@ -113,7 +117,8 @@ final class TaskOrderTable {
     CsvTable.Line first = table.lines().getFirst();
     List<String> header = first.cells().stream().map(this::column).toList();
     checkHeader(first.number(), header);
-    if (header.stream().anyMatch(this::isKnown)) { // else that line is none of columns
+    if (header.stream().anyMatch(this::isKnown) // else that line is none of columns
+        && Collections.disjoint(faultyColumns, LEADING)) {
       read(header, table.lines().subList(1, table.lines().size()));
     }
   }
@@ -205,6 +210,10 @@ final class TaskOrderTable {
       checkRequired(header, errors);
     }
     faultyColumns.addAll(errors.sentences().keySet());
+    Stream.of("start", "goal")
+        .map(end -> List.of(end, end + "X", end + "Y")) // of which none says all without the others
+        .filter(end -> !Collections.disjoint(faultyColumns, end))
+        .forEach(faultyColumns::addAll);
     faults.addAll(line, errors);
   }
 

@@ -332,6 +332,13 @@ class ImportTest {
     assertEquals(
         List.of("1 name", "2 goal"),
         faults("name,load,start,goal,name\na,1,Dock A,Nowhere,\nb,1,Dock A,Shelf 3,\n"));
+    assertEquals(
+        List.of("1 kind"), faults("name,kind,kind,goal\na,DRIVE,,Shelf 3\nb,DRIVE,,Nowhere\n"));
+    assertEquals(List.of("1 template"), faults("template,name,template\nTour,a,\nNone,b,\n"));
+    assertEquals(List.of("1 start", "2 goal"), faults("name,load,startX,goal\na,1,3,Nowhere\n"));
+    assertEquals(
+        List.of("1 goalX", "1 goalY"),
+        faults("name,load,start,goalX,goalX,goalY,goalY\na,1,Dock A,3,3,1,1\n"));
     assertEquals( // no line of columns at all
         List.of(
             "1 2.5", "1 Dock A", "1 Shelf 3", "1 bolts", "1 goal", "1 load", "1 name", "1 start"),
