@@ -2,7 +2,6 @@ package org.toqa.web.api;
 
 import jakarta.servlet.http.HttpServletRequest;
 import java.io.IOException;
-import java.math.BigInteger;
 import java.util.List;
 import java.util.function.Function;
 import java.util.stream.Collectors;
@@ -21,6 +20,9 @@ import org.toqa.wording.Sentence;
 
 /** What the handlers of the API have in common. */
 public abstract class ApiHandler {
+  /** Such a number fits into a long. */
+  private static final int MOST_DIGITS = 18;
+
   public static Services services(HttpServletRequest request) {
     return Services.of(request);
   }
@@ -137,10 +139,11 @@ public abstract class ApiHandler {
     if (given == null) {
       return fallback;
     }
-    BigInteger number = given.matches("[0-9]{1,100}") ? new BigInteger(given) : BigInteger.ZERO;
-    if (!given.matches("[0-9]+") || number.compareTo(BigInteger.valueOf(min)) < 0) {
+    String digits = given.matches("[0-9]+") ? given.replaceFirst("^0+(?=.)", "") : "-1";
+    long number = digits.length() > MOST_DIGITS ? max : Long.parseLong(digits);
+    if (number < min) {
       throw Problem.of(400, Texts.of(request).get("problem.queryNumber", name, min)).exception();
     }
-    return number.min(BigInteger.valueOf(max)).intValue();
+    return (int) Math.min(number, max);
   }
 }

@@ -200,6 +200,9 @@ class ApiTasksTest extends ApiTestServer {
     assertEquals(2, tasks.get(0).get("id").asInt());
     assertEquals(1, tasks.get(1).get("id").asInt());
     assertEquals(200, get("api/v1/tasks?limit=99999999999").statusCode());
+    assertEquals("[]", get("api/v1/tasks?offset=" + "9".repeat(101)).body());
+    String one = "0".repeat(101) + "1";
+    assertEquals(1, JSON.readTree(get("api/v1/tasks?limit=" + one).body()).size());
     assertEquals(400, get("api/v1/tasks?limit=0").statusCode());
     assertEquals(400, get("api/v1/tasks?offset=x").statusCode());
   }
