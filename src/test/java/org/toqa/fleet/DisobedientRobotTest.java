@@ -12,6 +12,7 @@ import org.junit.jupiter.api.Test;
 import org.toqa.link.message.ServerMessage.Command;
 import org.toqa.link.message.ServerMessage.Drive;
 import org.toqa.link.message.ServerMessage.Follow;
+import org.toqa.link.message.ServerMessage.Lead;
 import org.toqa.mission.TaskState;
 import org.toqa.notices.Condition;
 import org.toqa.notices.Conditions;
@@ -111,6 +112,21 @@ class DisobedientRobotTest extends HallFleetTest {
 
     until(view -> task(view, task).needs() != null);
     assertAsked(task, REFUSES);
+  }
+
+  @Test
+  void aLeaderThatRefusesToLeadDoesNotLeaveWithoutItsFollowersAndAsksAPerson() throws Exception {
+    reopenWith("r2", EAST, "P2");
+    until(view -> robot(view, "r2").state() == RobotState.IDLE);
+    scriptedRobot("r1").refuse(Lead.class::isInstance); // whichever of them leads
+    scriptedRobot("r2").refuse(Lead.class::isInstance);
+    long task = submit(orderForSeveral(8));
+
+    until(view -> task(view, task).needs() != null);
+    assertAsked(task, REFUSES);
+    for (String name : List.of("r1", "r2")) {
+      assertTrue(scriptedRobot(name).obeyed().stream().noneMatch(command -> isOfPhase(command, 2)));
+    }
   }
 
   @Test

@@ -272,7 +272,7 @@ class RobotAgentTest {
 
   private static RobotMessage.Drive drive(@Nullable Long task) {
     return new RobotMessage.Drive(
-        task, Phase.TO_OBJECT, new Trajectory(START, List.of(METRE, METRE)), 1, false, 0);
+        task, Phase.TO_OBJECT, new Trajectory(START, List.of(METRE, METRE)), 1, false, 0, null);
   }
 
   /** By their names. */

@@ -435,10 +435,6 @@ final class DriveDispatcher {
       case DriveCommand.Begin begin -> {
         DriveGoal goal = robot.drive.goal();
         robot.drive.setTold(goal == null ? null : goal.goal());
-        state
-            .formations
-            .carryingMission(robot.name())
-            .ifPresent(mission -> robot.agent.tell(state.formations.leadOrder(mission)));
         robot.agent.tell(
             new RobotMessage.Drive(
                 goal == null ? null : goal.task(),
@@ -446,7 +442,12 @@ final class DriveDispatcher {
                 begin.trajectory(),
                 begin.released(),
                 begin.endsAtGoal(),
-                goal == null ? 0 : goal.load()));
+                goal == null ? 0 : goal.load(),
+                state
+                    .formations
+                    .carryingMission(robot.name())
+                    .map(state.formations::leadOrder)
+                    .orElse(null)));
       }
       case DriveCommand.Extend extend ->
           robot.agent.tell(

@@ -12,7 +12,8 @@ import org.toqa.link.message.ServerMessage.Command;
 
 /**
  * Numbers the commands for one robot as they are sent. Drives and their changes are sent in order,
- * each once it is stored; what stops the robot or lets it go on overtakes them.
+ * each once it is stored; what stops the robot or lets it go on overtakes them. A leader's drive
+ * waits until the robot has taken the lead: without that it would leave its followers.
  *
  * <p>A drive is stored under the number that it is sent with. One that was overtaken would come
  * with a number of the past, which a robot does not obey: it gets another number first. Confined to
@@ -24,6 +25,9 @@ final class CommandQueue {
   private long lastId;
   private long lastNumber;
   private long lastSent;
+
+  /** Of the lead that the robot has not answered and drives wait for; 0: there is none. */
+  private long openLead;
 
   /** Makes a command of a drive. */
   @FunctionalInterface
@@ -90,6 +94,9 @@ final class CommandQueue {
    */
   void send(Command command) {
     lastSent = Math.max(lastSent, command.seq());
+    if (command instanceof ServerMessage.Lead) {
+      openLead = command.seq();
+    }
     link.accept(command);
   }
 
@@ -146,7 +153,21 @@ final class CommandQueue {
 
   private boolean isHeadStored() {
     @Nullable Entry head = waiting.peekFirst();
-    return head != null && head.isStored;
+    return head != null && head.isStored && openLead == 0;
+  }
+
+  /** The robot has taken the command of that number; {@link #sendStored} sends what waited. */
+  void leadTaken(long number) {
+    if (openLead == number) {
+      openLead = 0;
+    }
+  }
+
+  /** The robot has refused the command of that number: what waits for it is dropped. */
+  void withdrawLed(long number) {
+    if (openLead == number) {
+      var _ = clear();
+    }
   }
 
   /**
@@ -187,6 +208,7 @@ final class CommandQueue {
             .map(entry -> entry.drive)
             .reduce((first, next) -> next);
     waiting.clear();
+    openLead = 0;
     return begun;
   }
 }

@@ -33,6 +33,9 @@ final class DriveSender {
   /** Of the command by which the robot was lent room last; 0: it never was. */
   private long roomNumber;
 
+  /** Of the last command by which the robot was to lead; 0: there was none. */
+  private long leadNumber;
+
   /** Asks the store for the last drive; {@link #setLoaded} brings it. */
   DriveSender(
       String robot,
@@ -72,6 +75,10 @@ final class DriveSender {
   }
 
   void start(RobotMessage.Drive m) {
+    RobotMessage.Lead lead = m.lead();
+    if (lead != null) {
+      lead(lead);
+    }
     begin(
         new StoredDrive(commands.nextNumber(), m.task(), m.phase(), m.trajectory()),
         (n, _) ->
@@ -84,6 +91,15 @@ final class DriveSender {
                 m.released(),
                 m.last(),
                 m.load()));
+  }
+
+  private void lead(RobotMessage.Lead m) {
+    commands.sendInOrder(
+        0,
+        (n, _) -> {
+          leadNumber = n;
+          return new ServerMessage.Lead(n, m.task(), m.tolerance(), m.followers(), m.carries());
+        });
   }
 
   /** What it drives then is its leader's affair, so its own trajectory is empty. */
@@ -154,6 +170,11 @@ final class DriveSender {
     return drive.filter(last -> last.seq() == number).isPresent();
   }
 
+  /** Whether that is the number of the last command by which the robot was to lead. */
+  boolean isLead(long number) {
+    return leadNumber == number;
+  }
+
   /** Whether that is the number of the command by which the robot was lent room last. */
   boolean isRoom(long number) {
     return roomNumber == number;
@@ -183,6 +204,12 @@ final class DriveSender {
 
   void commandStored(long id) {
     commands.setStored(id);
+    sendStored();
+  }
+
+  /** The robot has taken the command of that number: if it leads by that, it may drive. */
+  void leadTaken(long number) {
+    commands.leadTaken(number);
     sendStored();
   }
 

@@ -131,11 +131,6 @@ public final class RobotAgent extends AbstractBehavior<RobotMessage> {
         lookAnew();
         drives.start(m);
       }
-      case RobotMessage.Lead m ->
-          commands.sendInOrder(
-              0,
-              (n, _) ->
-                  new ServerMessage.Lead(n, m.task(), m.tolerance(), m.followers(), m.carries()));
       case RobotMessage.Follow m -> {
         lookAnew();
         drives.follow(m);
@@ -298,12 +293,13 @@ public final class RobotAgent extends AbstractBehavior<RobotMessage> {
     } else if (awaited.isPresent()) {
       reports.flush();
       OptionalLong changed = awaited.get();
+      commands.withdrawLed(reject.seq());
       floor.tell(
           new RobotEvent.CommandRejected(
               robot.name(),
               changed.isPresent() ? changed.getAsLong() : null,
               reject.reason(),
-              drives.isDrive(reject.seq())));
+              drives.isDrive(reject.seq()) || drives.isLead(reject.seq())));
     }
   }
 
@@ -313,6 +309,7 @@ public final class RobotAgent extends AbstractBehavior<RobotMessage> {
       return;
     }
     clears.settle(seq);
+    drives.leadTaken(seq);
     if (drives.isRoom(seq)) {
       reports.flush();
       floor.tell(new RobotEvent.RoomTaken(robot.name()));

@@ -32,6 +32,7 @@ public sealed interface RobotMessage {
    * @param released so many segments of it for now
    * @param last whether it ends the phase
    * @param load kilograms that it has on board
+   * @param lead whom it leads with that, and does not begin without; null: nobody
    */
   record Drive(
       @Nullable Long task,
@@ -39,19 +40,20 @@ public sealed interface RobotMessage {
       Trajectory trajectory,
       int released,
       boolean last,
-      double load)
-      implements RobotMessage {}
-
-  /** Drive other segments from {@code from} on. */
-  record Extend(int from, List<Segment> segments, int released, boolean last)
+      double load,
+      @Nullable Lead lead)
       implements RobotMessage {}
 
   /**
-   * Lead these robots with the drive that comes next.
+   * Lead these robots.
    *
    * @param carries its part of the load; null: not known
    */
-  record Lead(long task, double tolerance, List<Follower> followers, @Nullable CarriedPart carries)
+  record Lead(
+      long task, double tolerance, List<Follower> followers, @Nullable CarriedPart carries) {}
+
+  /** Drive other segments from {@code from} on. */
+  record Extend(int from, List<Segment> segments, int released, boolean last)
       implements RobotMessage {}
 
   /**
