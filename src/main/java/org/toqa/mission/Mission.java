@@ -367,6 +367,11 @@ public record Mission(
     return assignedRobot(robot).map(AssignedRobot::phase).orElse(Phase.NONE);
   }
 
+  /** Whether the robot has ended the phase that it is in for it. */
+  boolean phaseHasEnded(String robot) {
+    return assignedRobot(robot).filter(AssignedRobot::arrived).isPresent();
+  }
+
   List<MissionCommand> driveCommands(Phase phase) {
     List<MissionCommand> commands = new ArrayList<>();
     for (AssignedRobot c : assignedRobots) {

@@ -1,6 +1,7 @@
 package org.toqa.mission;
 
 import java.time.Instant;
+import java.util.Set;
 import org.jspecify.annotations.Nullable;
 import org.toqa.wording.Sentence;
 
@@ -104,12 +105,41 @@ public sealed interface MissionEvent {
   /** What a person wants of the task; {@link Mission#objectionTo} tells whether it can be. */
   sealed interface OperatorCommand extends MissionEvent {
     String user();
+
+    /** The same, given while it is so with the mission's load on board. */
+    default OperatorCommand given(LoadState now) {
+      return this;
+    }
+  }
+
+  /**
+   * What the floor knows of a load on board.
+   *
+   * @param place where it is; null where nobody knows
+   * @param driving those of its robots that are heard, and drive or would drive on
+   */
+  record LoadState(@Nullable TaskPlace place, Set<String> driving) {
+    static final LoadState UNKNOWN = new LoadState(null, Set.of());
+
+    public LoadState {
+      driving = Set.copyOf(driving);
+    }
   }
 
   /**
    * @param choice what becomes of a load that is on board; null where nobody said it
    */
-  record Cancel(String user, @Nullable LoadChoice choice) implements OperatorCommand {}
+  record Cancel(String user, @Nullable LoadChoice choice, LoadState load)
+      implements OperatorCommand {
+    public Cancel(String user, @Nullable LoadChoice choice) {
+      this(user, choice, LoadState.UNKNOWN);
+    }
+
+    @Override
+    public Cancel given(LoadState now) {
+      return new Cancel(user, choice, now);
+    }
+  }
 
   /** The robots shall stop where they are. */
   record Hold(String user) implements OperatorCommand {}
@@ -154,7 +184,16 @@ public sealed interface MissionEvent {
    */
   record GoOn(String user, @Nullable Integer stop) implements OperatorCommand {}
 
-  record Answer(String user, Reply reply) implements OperatorCommand {}
+  record Answer(String user, Reply reply, LoadState load) implements OperatorCommand {
+    public Answer(String user, Reply reply) {
+      this(user, reply, LoadState.UNKNOWN);
+    }
+
+    @Override
+    public Answer given(LoadState now) {
+      return new Answer(user, reply, now);
+    }
+  }
 
   /**
    * It is another user's from now on.

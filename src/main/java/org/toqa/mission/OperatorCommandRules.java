@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Objects;
 import java.util.Optional;
+import java.util.Set;
 import org.jspecify.annotations.Nullable;
 import org.toqa.wording.Phrase;
 import org.toqa.wording.Sentence;
@@ -115,15 +116,12 @@ final class OperatorCommandRules {
     }
     LoadChoice choice = choice(mission, event);
     if (choice == LoadChoice.HERE && TroubleRules.isStranded(mission)) {
-      return TroubleRules.cancel(mission, event.user());
+      return TroubleRules.cancel(mission, event.user(), event.load());
     }
     if (choice == null || choice == mission.ending()) {
       return mission.unchangedStep();
     }
-    Mission ending =
-        withRobotsDriving(mission)
-            .withProgress(mission.progress().withoutWait())
-            .withEnding(choice);
+    Mission ending = withEnding(mission, choice);
     return switch (choice) {
       case HERE -> ending.step(stopCommands(ending), Phrase.CANCELLED_LOAD_HERE.with(event.user()));
       case BACK ->
@@ -131,6 +129,27 @@ final class OperatorCommandRules {
               ending.driveCommands(Phase.TO_GOAL),
               Phrase.CANCELLED_LOAD_BACK.with(event.user(), mission.task().start().sentence()));
     };
+  }
+
+  /**
+   * Its robots stop and set the load down.
+   *
+   * @param driving those that have to be waited for; the others cannot drive, or are not heard
+   */
+  static Mission.Step stopHere(Mission mission, String user, Set<String> driving) {
+    Mission ending = withEnding(mission, LoadChoice.HERE);
+    Mission stopping =
+        ending.withAssignedRobots(
+            ending.assignedRobots().stream()
+                .map(c -> driving.contains(c.robot()) ? c : c.withArrived())
+                .toList());
+    return stopping.step(stopCommands(stopping), Phrase.CANCELLED_LOAD_HERE.with(user));
+  }
+
+  private static Mission withEnding(Mission mission, LoadChoice choice) {
+    return withRobotsDriving(mission)
+        .withProgress(mission.progress().withoutWait())
+        .withEnding(choice);
   }
 
   static Mission.Step hold(Mission mission, MissionEvent.Hold event) {

@@ -24,6 +24,13 @@ public record Trouble(
     return new Trouble(robot, why, place, true, isOfArm);
   }
 
+  /**
+   * @param now where the robot, or the load that it carries with others, is; null: where it was
+   */
+  Trouble withPlace(@Nullable TaskPlace now) {
+    return now == null ? this : new Trouble(robot, why, now, isAwaited, isOfArm);
+  }
+
   /** Which robot, and what. */
   Sentence sentence() {
     return Phrase.ROBOT_AND_CLAUSE.with(robot, why);

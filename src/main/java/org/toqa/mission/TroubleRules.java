@@ -67,10 +67,11 @@ final class TroubleRules {
   }
 
   static Mission.Step answer(Mission mission, MissionEvent.Answer event) {
-    Trouble trouble = mission.trouble();
-    if (trouble == null) {
+    Trouble known = mission.trouble();
+    if (known == null) {
       return mission.unchangedStep();
     }
+    Trouble trouble = known.withPlace(event.load().place());
     return switch (event.reply()) {
       case WAIT ->
           mission
@@ -82,22 +83,27 @@ final class TroubleRules {
               .step(List.of(), Phrase.SAID_TRY_AGAIN.with(event.user(), trouble.robot()));
       case BY_HAND -> endByHand(mission, trouble, event.user());
       case ANOTHER -> requeue(mission, trouble, Phrase.GAVE_TO_ANOTHER.with(event.user()));
-      case CANCEL -> cancel(mission, trouble, event.user());
+      case CANCEL -> cancel(mission, event.user(), event.load());
     };
   }
 
-  /** Whether it stands where it is, since one of its robots cannot drive. */
+  /** Whether one of its robots cannot drive, or nobody knows whether it does. */
   static boolean isStranded(Mission mission) {
     Trouble trouble = mission.trouble();
     return trouble != null && !trouble.isOfArm();
   }
 
-  /** Of a mission in trouble: nobody needs to stop, and the load stays where it is. */
-  static Mission.Step cancel(Mission mission, String user) {
-    return cancel(mission, Objects.requireNonNull(mission.trouble()), user);
-  }
-
-  private static Mission.Step cancel(Mission mission, Trouble trouble, String user) {
+  /**
+   * Of a mission in trouble: where none of its robots drives, nobody needs to stop, and the load
+   * stays where it is.
+   */
+  static Mission.Step cancel(Mission mission, String user, MissionEvent.LoadState load) {
+    if (isCarrying(mission) && mission.robots().stream().anyMatch(load.driving()::contains)) {
+      return mission.isStopping()
+          ? mission.unchangedStep()
+          : OperatorCommandRules.stopHere(mission.withTrouble(null), user, load.driving());
+    }
+    Trouble trouble = Objects.requireNonNull(mission.trouble()).withPlace(load.place());
     return mission
         .withLoadAt(isCarrying(mission) ? trouble.place() : mission.setDownPlace())
         .unassignAll(
@@ -181,6 +187,9 @@ final class TroubleRules {
     Trouble known = mission.trouble();
     if (known != null && known.isSameAs(trouble)) {
       return mission.unchangedStep();
+    }
+    if (mission.isStopping() && mission.phaseHasEnded(trouble.robot())) {
+      return mission.unchangedStep(); // who has stopped is needed no more
     }
     if (known != null && !known.robot().equals(trouble.robot())) {
       return mission.unchangedStep(); // one question at a time; the next is asked after its answer

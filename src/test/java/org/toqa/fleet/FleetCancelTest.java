@@ -93,6 +93,55 @@ class FleetCancelTest extends HallFleetTest {
   }
 
   @Test
+  void aGroupWithAMemberThatIsNotHeardStopsBeforeItsLoadIsLeftWhereItIsThen() throws Exception {
+    long task = groupThatDrivesOnUnheard();
+
+    accepted(stage.fleet.commandTask(task, new MissionEvent.Cancel("Max", LoadChoice.HERE)));
+
+    assertSetDownInTheGroup(task);
+  }
+
+  @Test
+  void aGroupWithAMemberThatIsNotHeardStopsWhenThePersonWhoIsAskedCancels() throws Exception {
+    long task = groupThatDrivesOnUnheard();
+
+    accepted(stage.fleet.commandTask(task, new MissionEvent.Answer("Max", Reply.CANCEL)));
+
+    assertSetDownInTheGroup(task);
+  }
+
+  /** It has come far since its member was heard last. */
+  private long groupThatDrivesOnUnheard() throws Exception {
+    reopenWith("r2", EAST, "P2");
+    until(view -> robot(view, "r2").state() == RobotState.IDLE);
+    List.of("r1", "r2").forEach(name -> scriptedRobot(name).setStepsPerSegment(30));
+    long task = submit(orderForSeveral(8));
+    until(view -> task(view, task).state() == TaskState.CARRYING && middle().x() > 6.6);
+    List<String> team = task(stage.fleet.snapshots().latest(), task).robots();
+    scriptedRobot(team.getLast()).loseServer();
+    until(view -> task(view, task).needs() != null);
+    double asked = middle().x();
+    until(view -> middle().x() > asked + 0.5);
+    assertTrue(scriptedRobot(team.getFirst()).isDriving());
+    return task;
+  }
+
+  /** The robots stand on both sides of their load. */
+  private Vec2 middle() {
+    return scriptedRobot("r1").position().plus(scriptedRobot("r2").position()).times(0.5);
+  }
+
+  private void assertSetDownInTheGroup(long task) throws InterruptedException {
+    until(view -> task(view, task).state() == TaskState.CANCELLED);
+    Vec2 place =
+        Objects.requireNonNull(task(stage.fleet.snapshots().latest(), task).loadAt()).position();
+    assertEquals(0, place.distanceTo(middle()), 0.3);
+    assertTrue(
+        stage.store.history(task).stream().anyMatch(e -> e.text().startsWith("Set down at")),
+        "it stopped first");
+  }
+
+  @Test
   void whatIsDeliveredIsNotCancelled() throws Exception {
     long task = submit("West", "East");
     until(view -> task(view, task).state() == TaskState.RETURNING);

@@ -37,6 +37,10 @@ final class ScriptedCondition {
 
   int stepsPerSegment = 1;
   boolean mute;
+
+  /** Whether it is out of the server's reach: it does what it was told, and other robots hear it. */
+  boolean isOutOfReach;
+
   boolean localised = true;
   boolean stuck;
   boolean endsBeforeNextChange;

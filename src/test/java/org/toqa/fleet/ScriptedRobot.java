@@ -167,6 +167,15 @@ public final class ScriptedRobot {
     condition.mute = true;
   }
 
+  /** From now on the server does not hear it, nor it the server; it drives on all the same. */
+  synchronized void loseServer() {
+    condition.isOutOfReach = true;
+  }
+
+  synchronized void findServer() {
+    condition.isOutOfReach = false;
+  }
+
   /** It does not know any more where it is. */
   synchronized void forgetPlace() {
     condition.localised = false;
@@ -357,6 +366,9 @@ public final class ScriptedRobot {
       drive.end();
       formation.endLeading();
     }
+    if (condition.isOutOfReach) {
+      return;
+    }
     String stateFault = condition.stateFault;
     if (stateFault == null) {
       listener.received(state());
@@ -399,7 +411,7 @@ public final class ScriptedRobot {
   }
 
   private synchronized void hear(ServerMessage message) {
-    if (!connected || condition.deaf) {
+    if (!connected || condition.deaf || condition.isOutOfReach) {
       return;
     }
     if (message instanceof Clear && condition.lostClears-- > 0) {

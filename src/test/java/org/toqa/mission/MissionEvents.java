@@ -2,6 +2,7 @@ package org.toqa.mission;
 
 import java.time.Instant;
 import java.util.List;
+import java.util.Set;
 import net.jqwik.api.Arbitraries;
 import net.jqwik.api.Arbitrary;
 import net.jqwik.api.Combinators;
@@ -13,6 +14,9 @@ import org.toqa.wording.Sentence;
 public final class MissionEvents {
   /** Where robots stop and loads stand. */
   public static final TaskPlace SPOT = new TaskPlace(new Vec2(3, 1.5), null);
+
+  private static final MissionEvent.LoadState ONE_DRIVES =
+      new MissionEvent.LoadState(SPOT, Set.of("r1"));
 
   private MissionEvents() {}
 
@@ -74,7 +78,9 @@ public final class MissionEvents {
             new MissionEvent.Cancel("max", LoadChoice.BACK),
             new MissionEvent.Answer("max", Reply.ANOTHER),
             new MissionEvent.Answer("max", Reply.WAIT),
-            new MissionEvent.Answer("max", Reply.CANCEL));
+            new MissionEvent.Answer("max", Reply.CANCEL),
+            new MissionEvent.Cancel("max", LoadChoice.HERE).given(ONE_DRIVES),
+            new MissionEvent.Answer("max", Reply.CANCEL).given(ONE_DRIVES));
     Arbitrary<MissionEvent> goOn = Arbitraries.just(new MissionEvent.GoOn("max", null));
     Arbitrary<MissionEvent> waits =
         Arbitraries.integers()

@@ -9,6 +9,7 @@ import java.time.Instant;
 import java.util.List;
 import java.util.Objects;
 import java.util.Optional;
+import java.util.Set;
 import net.jqwik.api.Example;
 import org.jspecify.annotations.Nullable;
 import org.toqa.geometry.Vec2;
@@ -433,6 +434,38 @@ class MissionTest {
     assertEquals(
         TaskState.CANCELLED,
         stopping.apply(new MissionEvent.Cancel("max", null)).mission().state());
+  }
+
+  @Example
+  void whereRobotsStillDriveTheyAreAwaitedAndNobodyElseIs() {
+    MissionEvent.LoadState now = new MissionEvent.LoadState(THERE, Set.of("r1"));
+    for (MissionEvent.OperatorCommand command :
+        List.of(
+            new MissionEvent.Cancel("max", LoadChoice.HERE),
+            new MissionEvent.Answer("max", Reply.CANCEL))) {
+      MissionEvent lost = new MissionEvent.RobotLost("r2", TASK.start());
+      Mission carrying = carryingByTwo().apply(lost).mission();
+      Mission stopping = carrying.apply(command.given(now)).mission();
+      assertTrue(stopping.isStopping());
+      assertFalse(stopping.apply(lost).hasChanges(), "r2 is needed no more");
+      Mission set = stopping.apply(new MissionEvent.Stopped("r1", THERE)).mission();
+      assertEquals(TaskState.CANCELLED, set.state());
+      assertEquals(THERE, set.loadAt());
+
+      MissionEvent.LoadState stands = new MissionEvent.LoadState(THERE, Set.of());
+      Mission cancelled = carrying.apply(command.given(stands)).mission();
+      assertEquals(TaskState.CANCELLED, cancelled.state());
+      assertEquals(THERE, cancelled.loadAt(), "where it is now");
+    }
+  }
+
+  private static Mission carryingByTwo() {
+    Mission mission =
+        Mission.queued(TASK).assign(List.of("r1", "r2"), Sentence.verbatim("heavy")).mission();
+    for (String robot : mission.robots()) {
+      mission = mission.apply(new MissionEvent.PhaseEnded(robot, Phase.TO_OBJECT)).mission();
+    }
+    return mission;
   }
 
   private static void assertCancelledThere(Mission mission) {

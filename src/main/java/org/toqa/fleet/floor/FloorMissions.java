@@ -314,7 +314,8 @@ final class FloorMissions {
       }
     }
     AtomicReference<@Nullable StoreException> refused = new AtomicReference<>();
-    Mission next = applyEvent(known.get(), m.command(), refused::set);
+    MissionEvent command = m.command().given(state.formations.loadState(known.get()));
+    Mission next = applyEvent(known.get(), command, refused::set);
     reports.send();
     TaskView view = reports.view(new OpenMissions.DatedMission(next, state.clock.instant()));
     state.writer.write(() -> {}, () -> m.replyTo().tell(reply(view, refused.get())));

@@ -6,6 +6,8 @@ import java.util.List;
 import java.util.Map;
 import java.util.Objects;
 import java.util.Optional;
+import java.util.Set;
+import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import org.jspecify.annotations.Nullable;
 import org.toqa.allocation.TeamSize;
@@ -23,6 +25,7 @@ import org.toqa.link.message.ServerMessage.CarriedPart;
 import org.toqa.link.message.ServerMessage.Follower;
 import org.toqa.mission.AssignedRobot;
 import org.toqa.mission.Mission;
+import org.toqa.mission.MissionEvent;
 import org.toqa.mission.Phase;
 import org.toqa.mission.TaskPlace;
 import org.toqa.mission.TaskState;
@@ -452,6 +455,23 @@ final class Formations {
     return mission.assignedRobots().stream()
         .map(c -> state.robots.get(c.robot()))
         .anyMatch(r -> r != null && r.isHeard() && r.reported.isMoving());
+  }
+
+  /** What is known of the load that the mission has on board, if it has. */
+  MissionEvent.LoadState loadState(Mission mission) {
+    List<FloorRobot> robots =
+        mission.assignedRobots().stream()
+            .map(c -> state.robots.get(c.robot()))
+            .filter(Objects::nonNull)
+            .toList();
+    Set<String> driving =
+        robots.stream()
+            .filter(FloorRobot::isHeard)
+            .filter(r -> r.reported.isMoving() || (r.isFit() && !r.hasStopped()))
+            .map(FloorRobot::name)
+            .collect(Collectors.toSet());
+    return new MissionEvent.LoadState(
+        robots.isEmpty() ? null : loadPlace(mission, robots.getFirst()), driving);
   }
 
   /**
