@@ -1,5 +1,6 @@
 package org.toqa.fleet;
 
+import static java.util.Objects.requireNonNull;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertTrue;
@@ -7,8 +8,9 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.time.Duration;
 import java.time.Instant;
 import java.util.List;
-import java.util.Objects;
 import org.junit.jupiter.api.Test;
+import org.toqa.fleet.TaskOrder.Where;
+import org.toqa.geometry.Vec2;
 import org.toqa.link.message.ServerMessage.Command;
 import org.toqa.link.message.ServerMessage.Drive;
 import org.toqa.link.message.ServerMessage.Follow;
@@ -88,6 +90,26 @@ class DisobedientRobotTest extends HallFleetTest {
     Instant back = stage.now;
     until(view -> task(view, task).state() == TaskState.CARRYING);
     assertTrue(stage.now.isBefore(back.plusSeconds(60)));
+  }
+
+  @Test
+  void whoHasRefusedOnceAndIsBarredThenSaysWhatBarsItsWay() throws Exception {
+    reopenWith("r2", EAST, "P2");
+    until(view -> robot(view, "r2").state() == RobotState.IDLE);
+    accepted(stage.fleet.takeOutOfService("r2", "Max"));
+    scriptedRobot("r1").refuse(command -> isOfPhase(command, 2));
+    long task = submit(new Where.Point(new Vec2(3.5, 1.5)), new Where.Station("East"));
+    until(view -> waitReason(view, task).contains("refused"));
+
+    scriptedRobot("r2").shove(DOOR.minus(EAST));
+    until(view -> requireNonNull(robot(view, "r2").telemetry().pose()).x() < EAST.x() - 1);
+    scriptedRobot("r2").fallSilent();
+    scriptedRobot("r1").refuse(_ -> false);
+
+    until(view -> waitReason(view, task).contains("r2"));
+    scriptedRobot("r2").speakAgain();
+    accepted(stage.fleet.putInService("r2", "Max"));
+    until(view -> task(view, task).state() == TaskState.DONE);
   }
 
   @Test
@@ -213,7 +235,7 @@ class DisobedientRobotTest extends HallFleetTest {
   }
 
   private void assertAsked(long task, String part) {
-    String question = Objects.requireNonNull(task(latest(), task).needs()).question().english();
+    String question = requireNonNull(task(latest(), task).needs()).question().english();
     assertTrue(question.contains(part), question);
     assertEquals(TaskState.CARRYING, task(latest(), task).state());
     assertNotice(NoticeKind.TASK_QUESTION, part);

@@ -101,8 +101,11 @@ final class DriveDispatcher {
       setWaitReason(robot, objection);
     } else if (unfollowed.isPresent()) {
       setWaitReason(robot, unfollowed.get());
-    } else if (!isWaiting && !robot.obedience.hasRefused()) {
-      setWaitReason(robot, goal == null ? null : trafficWaitReason(robot.name()));
+    } else if (!isWaiting) {
+      Sentence reason = goal == null ? null : trafficWaitReason(robot.name());
+      if (reason != null || !robot.obedience.hasRefused()) {
+        setWaitReason(robot, reason);
+      }
     }
   }
 
