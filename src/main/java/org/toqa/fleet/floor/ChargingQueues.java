@@ -78,19 +78,25 @@ final class ChargingQueues {
   }
 
   /**
-   * Who has begun stays, also while it makes room for another; then who stands there, as after a
-   * restart, and does not just come by; then who is nearest to empty, and of those alike who came
-   * first.
+   * Who has begun stays, also while it makes room for another and may come back; then who stands
+   * there, as after a restart, and does not just come by; then who is nearest to empty, and of those
+   * alike who came first.
    */
   private Stream<FloorRobot> queue(Place point) {
     return state.robots.values().stream()
         .filter(other -> hasTurnAt(other, point) && (other.isFit() || isAt(other, point)))
         .sorted(
-            Comparator.comparing((FloorRobot r) -> !r.charging.hasBegun())
+            Comparator.comparing((FloorRobot r) -> !hasBegun(r, point))
                 .thenComparing(r -> !isAt(r, point) || isGoingElsewhere(r, point))
                 .thenComparing(ChargingQueues::batteryStep)
                 .thenComparing(r -> r.charging.turn().map(Turn::since).orElseThrow())
                 .thenComparing(FloorRobot::name));
+  }
+
+  /** One that a person keeps away from the point leaves it to the others. */
+  private boolean hasBegun(FloorRobot robot, Place point) {
+    boolean mayDrive = !robot.hold.isHeld() && !robot.manual.isActive();
+    return robot.charging.hasBegun() && (mayDrive || isAt(robot, point));
   }
 
   private static boolean isGoingElsewhere(FloorRobot robot, Place point) {
