@@ -62,6 +62,11 @@ public record Stop(
         .map(wait -> wait.minusMillis(Math.round(pace * Duration.between(since, now).toMillis())));
   }
 
+  /** Whether nothing else lets the robots drive on than a person. */
+  public boolean awaitsPersonAlone() {
+    return awaitsPerson && waitTime == null && (charge == null || charge.until() == null);
+  }
+
   public boolean hasWait() {
     return awaitsPerson || waitTime != null || charge != null;
   }

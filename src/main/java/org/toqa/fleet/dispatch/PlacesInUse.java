@@ -5,6 +5,7 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.stream.Stream;
+import org.jspecify.annotations.Nullable;
 import org.toqa.allocation.PlaceUse;
 import org.toqa.fleet.RobotView;
 import org.toqa.fleet.TaskView;
@@ -26,19 +27,29 @@ final class PlacesInUse {
     missions.forEach(
         task -> {
           List<Pose> stand = posesByTask.getOrDefault(task.id(), List.of());
-          add(uses, task, task.object(), isComingForLoad(task), stand);
+          @Nullable TaskPlace here = placeOfWait(task);
+          add(uses, task, task.object(), isComingForLoad(task), here, stand);
           task.task()
               .placesFrom(task.task().stopAfterFirst(task.progress()))
-              .forEach(place -> add(uses, task, place, isComing(task), stand));
+              .forEach(place -> add(uses, task, place, isComing(task), here, stand));
         });
     return List.copyOf(uses);
   }
 
+  /**
+   * @param here where its robots wait, round the load; null: they do not
+   */
   private static void add(
-      List<PlaceUse> uses, TaskView task, TaskPlace place, boolean isComing, List<Pose> stand) {
+      List<PlaceUse> uses,
+      TaskView task,
+      TaskPlace place,
+      boolean isComing,
+      @Nullable TaskPlace here,
+      List<Pose> stand) {
     boolean isThere =
-        stand.stream()
-            .anyMatch(pose -> pose.position().distanceTo(place.position()) < PlaceUse.REACH);
+        place.equals(here)
+            || stand.stream()
+                .anyMatch(pose -> pose.position().distanceTo(place.position()) < PlaceUse.REACH);
     if (isComing || isThere) {
       uses.add(new PlaceUse(task.id(), place.position(), task.robots().size() > 1));
     }
@@ -52,10 +63,23 @@ final class PlacesInUse {
   private static boolean isComing(TaskView task) {
     return !task.held()
         && task.needs() == null
+        && !isAwaitingPerson(task)
         && switch (task.state()) {
           case ASSIGNED, TO_OBJECT, CARRYING -> true;
           case QUEUED, RETURNING, DONE, FAILED, CANCELLED -> false;
         };
+  }
+
+  private static boolean isAwaitingPerson(TaskView task) {
+    return placeOfWait(task) != null
+        && task.task().route().get(task.progress().stop()).awaitsPersonAlone();
+  }
+
+  /** The stop at which its robots wait; null: they do not. */
+  private static @Nullable TaskPlace placeOfWait(TaskView task) {
+    return task.progress().waitingSince() == null
+        ? null
+        : task.task().route().get(task.progress().stop()).place();
   }
 
   /** Where those are who still work for a task. */

@@ -3,11 +3,14 @@ package org.toqa.fleet.dispatch;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.time.Duration;
 import java.time.Instant;
 import java.util.AbstractList;
 import java.util.List;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.stream.IntStream;
+import java.util.stream.Stream;
+import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.Test;
 import org.toqa.allocation.PlaceUse;
 import org.toqa.fleet.RobotState;
@@ -15,7 +18,11 @@ import org.toqa.fleet.RobotView;
 import org.toqa.fleet.TaskView;
 import org.toqa.geometry.Pose;
 import org.toqa.geometry.Vec2;
+import org.toqa.mission.AssignedRobot;
+import org.toqa.mission.Mission;
 import org.toqa.mission.Phase;
+import org.toqa.mission.Stop;
+import org.toqa.mission.StopProgress;
 import org.toqa.mission.TaskPlace;
 import org.toqa.mission.TaskState;
 import org.toqa.mission.TransportTask;
@@ -36,6 +43,41 @@ class PlacesInUseTest {
     assertEquals(List.of(place(task.task().goal())), away);
     assertEquals(List.of(place(task.task().start()), place(task.task().goal())), there);
     assertEquals(away, other);
+  }
+
+  /** That may take hours. */
+  @Test
+  void whoWaitsForAPersonAloneKeepsTheStopWhereItIsAndNoLaterOne() {
+    List<Vec2> all = List.of(new Vec2(7, 3), new Vec2(7, 9));
+    assertEquals(List.of(new Vec2(7, 3)), usedWhileWaiting(true, null));
+    assertEquals(all, usedWhileWaiting(true, Duration.ofHours(1)));
+    assertEquals(all, usedWhileWaiting(false, Duration.ofHours(1)));
+  }
+
+  /** At the second of three stops; its robots stand round a large load. */
+  private static List<Vec2> usedWhileWaiting(boolean awaitsPerson, @Nullable Duration waitTime) {
+    TransportTask task = task(7, TaskState.CARRYING).task();
+    TaskPlace middle = new TaskPlace(new Vec2(7, 3), null);
+    Mission mission =
+        new Mission(
+            task.withStops(
+                List.of(
+                    Stop.at(task.start()),
+                    new Stop(middle, awaitsPerson, waitTime),
+                    Stop.at(task.goal()))),
+            TaskState.CARRYING,
+            List.of(new AssignedRobot("r1", Phase.TO_GOAL, true, false)),
+            false,
+            null,
+            null,
+            null,
+            null,
+            new StopProgress(1, NOON));
+    return PlacesInUse.of(
+            Stream.of(TaskView.of(mission, null, NOON)), List.of(robot("r1", 7L, 7, 4.5)))
+        .stream()
+        .map(PlaceUse::place)
+        .toList();
   }
 
   /** They are asked for with each report of a floor. */
