@@ -139,6 +139,10 @@ class FleetCancelTest extends HallFleetTest {
     assertTrue(
         stage.store.history(task).stream().anyMatch(e -> e.text().startsWith("Set down at")),
         "it stopped first");
+    List.of("r1", "r2").forEach(name -> scriptedRobot(name).findServer());
+    until(view -> view.robots().stream().allMatch(r -> r.state() == RobotState.IDLE));
+    until(view -> scriptedRobot("r1").position().distanceTo(WEST) < 1e-6);
+    until(view -> scriptedRobot("r2").position().distanceTo(EAST) < 1e-6);
   }
 
   @Test

@@ -38,7 +38,9 @@ final class ScriptedCondition {
   int stepsPerSegment = 1;
   boolean mute;
 
-  /** Whether it is out of the server's reach: it does what it was told, and other robots hear it. */
+  /**
+   * Whether it is out of the server's reach: it does what it was told, and other robots hear it.
+   */
   boolean isOutOfReach;
 
   boolean localised = true;

@@ -79,8 +79,8 @@ final class ChargingQueues {
 
   /**
    * Who has begun stays, also while it makes room for another and may come back; then who stands
-   * there, as after a restart, and does not just come by; then who is nearest to empty, and of those
-   * alike who came first.
+   * there, as after a restart, and does not just come by; then who is nearest to empty, and of
+   * those alike who came first.
    */
   private Stream<FloorRobot> queue(Place point) {
     return state.robots.values().stream()
