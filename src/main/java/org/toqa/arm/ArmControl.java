@@ -16,10 +16,13 @@ import org.jspecify.annotations.Nullable;
  *   <li>{@link #takeOutcome} has how the action ended, once. What went wrong is told after the arm
  *       has come back to its rest, but for joints that do not follow: they stand.
  *   <li>{@link #cancel} ends an action without an outcome: the arm stands where it is.
- *   <li>{@link #fold} brings an arm that does nothing else to its rest.
+ *   <li>{@link #fold} brings an arm that does nothing else to its rest. One that does not come
+ *       there stands ({@link #hasFailedToFold}) until {@link #cancel}: something may hold it.
  * </ol>
  *
- * Time is handed in. For one thread.
+ * <p>An arm that does nothing and is pushed aside stands where it was left.
+ *
+ * <p>Time is handed in. For one thread.
  */
 public final class ArmControl {
 
@@ -31,6 +34,12 @@ public final class ArmControl {
 
   /** Radians; a joint that is so near is where it shall be. */
   static final double TOLERANCE = 0.01;
+
+  /**
+   * Radians; a joint that is so near to its rest is there. Where servo and potentiometer differ by
+   * more than 0.03, a microcontroller tells by how much.
+   */
+  static final double REST_TOLERANCE = 0.05;
 
   /** Radians that a joint may be behind while it turns, beside what it turns in {@link #DELAY}. */
   static final double MOST_BEHIND = 0.2;
@@ -47,6 +56,8 @@ public final class ArmControl {
   private ArmReading reading;
   private boolean handClosed;
   private JointAngles place = JointAngles.ZERO;
+  private boolean isFolding;
+  private boolean hasFailedToFold;
   private double stepSeconds;
   private double stalledSeconds;
   private double weightSum;
@@ -123,15 +134,23 @@ public final class ArmControl {
     failure = null;
     weight = null;
     outcome = null;
+    isFolding = false;
+    hasFailedToFold = false;
     stalledSeconds = 0;
     motion.setGoal(motion.now().angles());
   }
 
-  /** Brings it to its rest, if it does nothing else. */
+  /** Brings it to its rest, if it does nothing else and has not failed to. */
   public void fold() {
-    if (steps.isEmpty()) {
+    if (steps.isEmpty() && !hasFailedToFold) {
+      isFolding = true;
       motion.setGoal(arm.rest());
     }
+  }
+
+  /** Whether it was to come to its rest, and something kept it from that. */
+  public boolean hasFailedToFold() {
+    return hasFailedToFold;
   }
 
   /**
@@ -148,24 +167,42 @@ public final class ArmControl {
       stepSeconds += seconds;
       if (isStalled(seconds)) {
         steps.clear();
-        stalledSeconds = 0;
-        motion.stand(now.angles());
+        stand();
         outcome = new ArmOutcome(ArmFailure.STALLED, weight);
       } else {
         advanceStep();
       }
+    } else if (mayMove && isFolding) {
+      if (isStalled(seconds)) {
+        stand();
+        hasFailedToFold = true;
+      } else if (isFolded()) {
+        isFolding = false;
+      }
+    } else if (steps.isEmpty() && now.stalled()) {
+      stand();
     }
     JointTrajectory.Moment moment = motion.now();
     return new ArmCommand(moment.angles(), moment.rates(), handClosed, motion.goal(), mayMove);
   }
 
+  private void stand() {
+    isFolding = false;
+    stalledSeconds = 0;
+    motion.stand(reading.angles());
+  }
+
   private boolean isStalled(double seconds) {
     double most =
         motion.isStanding()
-            ? TOLERANCE
+            ? tolerance()
             : MOST_BEHIND + DELAY * Math.max(arm.shoulder().maxRate(), arm.elbow().maxRate());
     stalledSeconds = error() > most ? stalledSeconds + seconds : 0;
     return reading.stalled() || stalledSeconds > STALLED_SECONDS;
+  }
+
+  private double tolerance() {
+    return motion.goal().equals(arm.rest()) ? REST_TOLERANCE : TOLERANCE;
   }
 
   private double error() {
@@ -175,7 +212,7 @@ public final class ArmControl {
   private void advanceStep() {
     switch (steps.element()) {
       case REACH, FOLD -> {
-        if (motion.isAtGoal() && error() <= TOLERANCE) {
+        if (motion.isAtGoal() && error() <= tolerance()) {
           endStep();
         }
       }
@@ -242,7 +279,7 @@ public final class ArmControl {
 
   /** Whether it is at its rest, so that the robot may drive. */
   public boolean isFolded() {
-    return reading.angles().minus(arm.rest()).largest() <= TOLERANCE && motion.isStanding();
+    return reading.angles().minus(arm.rest()).largest() <= REST_TOLERANCE && motion.isStanding();
   }
 
   /** Whether its joints are told to stand. */

@@ -138,6 +138,64 @@ class ArmControlTest {
     assertTrue(control.step().isEmpty());
   }
 
+  private void foldFor(double seconds) {
+    for (int i = 0; i < seconds / TICK; i++) {
+      control.fold();
+      tick();
+    }
+  }
+
+  /** It does not push again and again: somebody may be there. */
+  @Test
+  void armThatIsKeptFromItsRestStandsUntilItIsCancelled() {
+    begin(ArmAction.PICK);
+    for (int i = 0; i < 40; i++) {
+      tick();
+    }
+    control.cancel();
+    isStuck = true;
+    JointAngles held = reading.angles();
+    foldFor(8);
+    assertTrue(control.hasFailedToFold());
+    for (int i = 0; i < 500; i++) {
+      control.fold();
+      assertEquals(held, control.advance(TICK, reading, mayMove).goal());
+    }
+    isStuck = false;
+    control.cancel();
+    assertFalse(control.hasFailedToFold());
+    foldFor(8);
+    assertTrue(control.isFolded());
+    assertFalse(control.hasFailedToFold());
+  }
+
+  /** By how much servo and potentiometer may differ without being told is 0.03. */
+  @Test
+  void armThatIsMeasuredALittleOffItsRestIsThere() {
+    for (double off : new double[] {0.02, 0.04, 0.06, 0.3}) {
+      reading = new ArmReading(ARM.rest().plus(new JointAngles(off, 0)), false, 0);
+      ArmControl anew = new ArmControl(ARM, reading);
+      for (int i = 0; i < 300; i++) {
+        anew.fold();
+        anew.advance(TICK, reading, true);
+      }
+      assertEquals(off < ArmControl.REST_TOLERANCE, anew.isFolded());
+      assertEquals(off > ArmControl.REST_TOLERANCE, anew.hasFailedToFold());
+    }
+  }
+
+  @Test
+  void armThatIsPushedAsideAtItsRestGivesWayAndActsAfterwards() {
+    JointAngles pushed = ARM.rest().plus(new JointAngles(-0.5, 0));
+    reading = new ArmReading(pushed, false, 0, true);
+    assertEquals(pushed, control.advance(TICK, reading, true).goal());
+    reading = new ArmReading(pushed, false, 0);
+    tick();
+    assertFalse(control.hasFailedToFold());
+    begin(ArmAction.PICK);
+    assertEquals(new ArmOutcome(null, 1.25), runToItsEnd());
+  }
+
   /** A hold stands within the time that the joints need, and the action goes on where it was. */
   @Property(tries = 60)
   void holdStopsItAtOnceAndItGoesOnFromThere(

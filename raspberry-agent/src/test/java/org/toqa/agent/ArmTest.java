@@ -33,6 +33,8 @@ import org.toqa.link.message.AgentMessage.State;
 import org.toqa.link.message.ServerMessage;
 import org.toqa.link.message.ServerMessage.Act;
 import org.toqa.link.message.ServerMessage.Cancel;
+import org.toqa.link.message.ServerMessage.Clear;
+import org.toqa.link.message.ServerMessage.Follow;
 import org.toqa.link.message.ServerMessage.Frame;
 import org.toqa.link.message.ServerMessage.Hold;
 import org.toqa.link.message.ServerMessage.Resume;
@@ -265,6 +267,46 @@ class ArmTest {
     assertEquals("STALLED", Objects.requireNonNull(runToItsEnd(server).failure()).code());
     body.setStuck(false);
     assertFalse(server.state().mode() == Mode.ERROR);
+  }
+
+  @Test
+  void armThatDoesNotComeToItsRestIsToldAndTriedAgainWhenAPersonSaysSo() {
+    SimulatedArm body = (SimulatedArm) rig.body().arm().orElseThrow();
+    server.assertAccepted(pick(1));
+    server.advance(Duration.ofMillis(900));
+    server.assertAccepted(new Cancel(2, 5L));
+    server.advance(Duration.ofSeconds(2));
+    body.setStuck(true);
+    JointAngles held = arm(server.state()).joints();
+    List<Segment> path = List.of(new Segment(0.25, 0, 4));
+    server.assertAccepted(TestServer.drive(3, 6L, 1, Rig.START, path));
+    State stopped = server.advanceUntil(state -> state.mode() == Mode.ERROR, MINUTE);
+    assertEquals("ARM_STALLED", stopped.errors().getFirst().code());
+    assertTrue(stopped.errors().getFirst().clearable());
+    body.setStuck(false);
+    server.advance(Duration.ofSeconds(10));
+    assertEquals(held, arm(server.state()).joints()); // it does not push again by itself
+    assertEquals(Rig.START, server.pose());
+
+    server.assertAccepted(new Clear(4, List.of("ARM_STALLED")));
+    server.advance(Duration.ofMillis(100));
+    assertEquals(List.of(), server.state().errors());
+    assertEquals(0, server.state().drive());
+    assertEquals(6L, server.state().task());
+    server.assertAccepted(TestServer.drive(5, 6L, 1, Rig.START, path));
+    server.advanceUntil(state -> state.mode() == Mode.IDLE, MINUTE);
+    assertEquals(3, server.pose().x(), 0.005);
+  }
+
+  @Test
+  void followerFoldsItsArmBeforeItFollows() {
+    server.assertAccepted(pick(1));
+    server.advance(Duration.ofMillis(900));
+    server.assertAccepted(new Cancel(2, 5L));
+    server.advance(Duration.ofSeconds(2));
+    server.assertAccepted(new Follow(3, 6, "r9", null, new Vec2(-0.5, 0), 0.5, null));
+    server.advanceUntil(
+        state -> arm(state).joints().minus(ARM.rest()).largest() < 0.01, Duration.ofSeconds(10));
   }
 
   @Test

@@ -15,11 +15,18 @@ import org.toqa.geometry.Vec2;
 import org.toqa.link.message.AgentMessage.ActEnd;
 import org.toqa.link.message.AgentMessage.ActFailure;
 import org.toqa.link.message.AgentMessage.ArmState;
+import org.toqa.link.message.AgentMessage.Fault;
 import org.toqa.link.message.ServerMessage.Act;
 import org.toqa.link.message.ServerMessage.Frame;
 
 /** What the robot's arm does for the server. For the thread of the ticks. */
 final class ArmWork {
+
+  private static final Fault HELD_UP =
+      new Fault(
+          "ARM_STALLED",
+          "The arm does not come to its rest: something holds it, or its joints do not turn.",
+          true);
 
   private final Arm arm;
   private final ArmControl control;
@@ -57,7 +64,7 @@ final class ArmWork {
     }
   }
 
-  /** It stands, and does what it was told no more. */
+  /** It stands, and does what it was told no more; whether it can be folded is open again. */
   void cancel() {
     order = null;
     outcome = null;
@@ -123,6 +130,11 @@ final class ArmWork {
   /** What it does; empty: nothing. */
   Optional<Act> order() {
     return Optional.ofNullable(order);
+  }
+
+  /** Something keeps it from its rest; it stands until {@link #cancel}. */
+  Optional<Fault> fault() {
+    return control.hasFailedToFold() ? Optional.of(HELD_UP) : Optional.empty();
   }
 
   boolean isFolded() {

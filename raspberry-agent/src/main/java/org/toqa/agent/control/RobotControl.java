@@ -77,7 +77,8 @@ import org.toqa.link.message.ServerMessage.Room;
  *   <li>A robot that accepts {@code follow} leads no more.
  *   <li>An arm acts where a drive has ended. A hold stops it on its way, {@code cancel} ends what
  *       it does; after a restart, or a stop of the body's own, it stands until it is told the same
- *       anew. With its arm out the robot does not drive: it folds it first.
+ *       anew. With its arm out the robot does not drive: it folds it first. An arm that does not
+ *       come to its rest is a stop like those of the body.
  *   <li>A phase 3 whose end is acknowledged ends the task for this robot.
  * </ul>
  *
@@ -129,13 +130,22 @@ public final class RobotControl {
    */
   public void update(ChassisReading reading, double seconds) {
     now = seconds;
-    if (record.update(reading)) {
+    if (record.update(withFaultOfArm(reading))) {
       activity = Alone.IDLE;
       if (arm != null) {
         arm.cancel();
       }
     }
     avoider.observe(reading.ranges(), pose(), seconds);
+  }
+
+  private ChassisReading withFaultOfArm(ChassisReading reading) {
+    if (arm == null || arm.fault().isEmpty()) {
+      return reading;
+    }
+    List<Fault> faults = new ArrayList<>(reading.faults());
+    faults.add(arm.fault().get());
+    return reading.withFaults(faults);
   }
 
   /** Map frame; an arbitrary frame while the robot is not localised. */
@@ -231,10 +241,16 @@ public final class RobotControl {
       }
       case Cancel cancel -> new CommandCheck.Accepted(() -> cancel(cancel));
       case Clear clear ->
-          CommandCheck.of(
-              rules.objectionTo(clear), () -> stopClearer.accept(Set.copyOf(clear.reasons())));
+          CommandCheck.of(rules.objectionTo(clear), () -> clear(Set.copyOf(clear.reasons())));
       case Hold _, Resume _, Ping _ -> new CommandCheck.Accepted(() -> {});
     };
+  }
+
+  private void clear(Set<String> stops) {
+    stopClearer.accept(stops);
+    if (arm != null && arm.fault().filter(fault -> stops.contains(fault.code())).isPresent()) {
+      arm.cancel();
+    }
   }
 
   private CommandCheck checkChange(long drive, Function<DriveRun, CommandCheck> change) {
@@ -335,7 +351,7 @@ public final class RobotControl {
     if (arm == null || arm.isFolded()) {
       return true;
     }
-    if (activity.drive().isPresent()) {
+    if (activity.drive().isPresent() || activity instanceof Following) {
       arm.fold();
     }
     return false;

@@ -28,7 +28,7 @@ final class FirmwareArm implements ArmDrive {
   private long wantedNanos;
   private int framesSince;
 
-  /** On the way to which the joints did not follow; null: that is known, or they do. */
+  /** On the way to which the joints have not followed; null: that is known, or they do again. */
   private @Nullable JointAngles stalledGoal;
 
   private double expectedLoad;
@@ -116,7 +116,9 @@ final class FirmwareArm implements ArmDrive {
       return;
     }
     ArmStatus before = status;
-    if (now.state() == State.STALLED && (before == null || before.state() != State.STALLED)) {
+    if (now.state() != State.STALLED) {
+      stalledGoal = null;
+    } else if (before == null || before.state() != State.STALLED) {
       stalledGoal = now.goal();
     }
     status = now;

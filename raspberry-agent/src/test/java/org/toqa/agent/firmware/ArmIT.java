@@ -271,6 +271,40 @@ class ArmIT {
     }
   }
 
+  /** A person may be in its way: it does not push again and again. */
+  @Test
+  void armThatIsKeptFromItsRestStandsUntilAPersonSaysSo() throws IOException {
+    try (SimulatedMicrocontroller chip = FirmwareBuild.LM629_AT_16_MHZ.start(folder);
+        Session session = session(chip)) {
+      session.run(SECOND / 2);
+      session.control.begin(ArmAction.PICK, PLACE, false);
+      session.run(SECOND);
+      session.control.cancel();
+      session.run(SECOND);
+      session.probe.change("arm stuck");
+      for (int i = 0; i < 5 * SECOND; i++) {
+        session.control.fold();
+        session.tick(Twist.ZERO);
+      }
+      assertTrue(session.control.hasFailedToFold());
+      assertFalse(session.drive.reading().stalled());
+      session.probe.change("arm free");
+      double stood = session.truth(0);
+      for (int i = 0; i < 5 * SECOND; i++) {
+        session.control.fold();
+        session.tick(Twist.ZERO);
+        assertEquals(stood, session.truth(0), 0.03);
+      }
+      session.control.cancel();
+      for (int i = 0; i < 5 * SECOND; i++) {
+        session.control.fold();
+        session.tick(Twist.ZERO);
+      }
+      assertTrue(session.control.isFolded());
+      assertFalse(session.control.hasFailedToFold());
+    }
+  }
+
   /** An elbow that is wired the other way round, and a robot that drives with its arm at rest. */
   @Test
   void measuresComeByConfigurationAndAreKept() throws IOException {
