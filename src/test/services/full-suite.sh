@@ -145,6 +145,7 @@ paths of known length
 generated floors
 runs with crashes
 possible carries
+legs of groups
 crashes between two events of a task
 attack strings
 looks at pages by axe

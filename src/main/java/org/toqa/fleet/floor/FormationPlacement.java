@@ -66,12 +66,13 @@ final class FormationPlacement {
     return stops.stream().map(stop -> new FormationPaths(grid, margins, stop)).toList();
   }
 
-  /** The first one that has a path without a shift; where there is none, with shifts. */
+  /** The first one that has all paths without a shift; where there is none, with shifts. */
   static Optional<Formation> firstWithPath(List<Formation> formations, List<FormationPaths> legs) {
     return Stream.of(false, true)
         .flatMap(
             shifting ->
                 formations.stream()
+                    .filter(formation -> !shifting || formation.shape().mobility().canShift())
                     .filter(formation -> passedLegs(formation, legs, shifting) == legs.size()))
         .findFirst();
   }
@@ -79,17 +80,20 @@ final class FormationPlacement {
   /**
    * How many legs it has a path for, one after the other, before the first one that it has none
    * for.
+   *
+   * @param shifting whether it may be led sideways on legs that have no other path
    */
   static int passedLegs(Formation formation, List<FormationPaths> legs, boolean shifting) {
     Pose leader = formation.pose(0);
-    for (int leg = 0; leg < legs.size(); leg++) {
+    int last = legs.size() - 1;
+    for (int leg = 0; leg < last; leg++) {
       Optional<Pose> end = legs.get(leg).endOfPath(formation.group(), leader, shifting);
       if (end.isEmpty()) {
         return leg;
       }
       leader = end.get();
     }
-    return legs.size();
+    return legs.get(last).hasPath(formation.group(), leader, shifting) ? legs.size() : last;
   }
 
   /** Those that have room where the load is, the best first. */

@@ -6,6 +6,7 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 import org.toqa.formation.Shape;
 import org.toqa.geometry.Pose;
@@ -50,49 +51,69 @@ public final class FormationPaths {
    * @param shifting whether it may be led sideways, where it can be
    */
   public boolean hasPath(FormationFootprint formation, Pose leader, boolean shifting) {
-    return endOfPath(formation, leader, shifting).isPresent();
+    Pose start = FormationPlanner.start(grid, leader);
+    return isAtGoal(formation, start)
+        || rules(formation, shifting)
+            .anyMatch(rules -> searchBeyondDead(formation, start, rules).isPresent());
   }
 
   /**
-   * Where the leader stands at the end of a path to the goal; empty: there is none.
+   * Where the leader stands at the end of the path to the goal that {@link FormationPlanner} finds
+   * on an empty floor; empty: there is none.
    *
    * @param leader where it stands, map frame
    * @param shifting whether it may be led sideways, where it can be
    */
   public Optional<Pose> endOfPath(FormationFootprint formation, Pose leader, boolean shifting) {
-    if (shifting && !formation.shape().mobility().canShift()) {
-      return Optional.empty();
-    }
     Pose start = FormationPlanner.start(grid, leader);
-    double metres = formation.shape().loadAt(start).position().distanceTo(goal);
-    return metres < FormationLattice.goalTolerance(grid)
+    return isAtGoal(formation, start)
         ? Optional.of(start)
-        : FormationPlanner.atStart(margins).stream()
-            .flatMap(margin -> endOfPath(formation, start, margin, shifting).stream())
+        : rules(formation, shifting)
+            .flatMap(rules -> endOfPath(formation, start, rules).stream())
             .findFirst();
   }
 
+  private boolean isAtGoal(FormationFootprint formation, Pose leader) {
+    return formation.shape().loadAt(leader).position().distanceTo(goal)
+        < FormationLattice.goalTolerance(grid);
+  }
+
+  private Stream<FormationPlanner.Rules> rules(FormationFootprint formation, boolean shifting) {
+    return FormationPlanner.rules(margins, shifting && formation.shape().mobility().canShift());
+  }
+
+  /** Of paths that are alike it depends on all that is searched which one is found. */
   private Optional<Pose> endOfPath(
-      FormationFootprint formation, Pose start, double margin, boolean shifting) {
-    FormationClearance clearance =
-        new FormationClearance(
-            grid, formation, start, walls, List.of(), margins.formation(), margin);
-    BitSet deadStates = dead.computeIfAbsent(key(formation, margin, shifting), _ -> new BitSet());
-    Optional<Pose> end =
-        FormationPlanner.trajectory(
-                grid,
-                formation.shape(),
-                start,
-                goal,
-                DriveSpeeds.DEFAULT,
-                clearance,
-                shifting,
-                deadStates)
-            .map(Trajectory::end);
-    if (end.isEmpty()) {
+      FormationFootprint formation, Pose start, FormationPlanner.Rules rules) {
+    return searchBeyondDead(formation, start, rules)
+        .flatMap(_ -> search(formation, start, rules, new BitSet()))
+        .map(Trajectory::end);
+  }
+
+  private Optional<Trajectory> searchBeyondDead(
+      FormationFootprint formation, Pose start, FormationPlanner.Rules rules) {
+    BitSet deadStates = dead.computeIfAbsent(key(formation, rules), _ -> new BitSet());
+    Optional<Trajectory> path = search(formation, start, rules, deadStates);
+    if (path.isEmpty()) {
       recordNearest(formation.shape(), deadStates);
     }
-    return end;
+    return path;
+  }
+
+  private Optional<Trajectory> search(
+      FormationFootprint formation, Pose start, FormationPlanner.Rules rules, BitSet deadStates) {
+    FormationClearance clearance =
+        new FormationClearance(
+            grid, formation, start, walls, List.of(), margins.formation(), rules.margin());
+    return FormationPlanner.trajectory(
+        grid,
+        formation.shape(),
+        start,
+        goal,
+        DriveSpeeds.DEFAULT,
+        clearance,
+        rules.shifting(),
+        deadStates);
   }
 
   private void recordNearest(Shape shape, BitSet states) {
@@ -137,8 +158,8 @@ public final class FormationPaths {
     return formation.width() + 2 * margins.formation();
   }
 
-  private static List<Number> key(FormationFootprint formation, double margin, boolean shifting) {
-    List<Number> key = new ArrayList<>(List.of(margin, shifting ? 1 : 0));
+  private static List<Number> key(FormationFootprint formation, FormationPlanner.Rules rules) {
+    List<Number> key = new ArrayList<>(List.of(rules.margin(), rules.shifting() ? 1 : 0));
     for (Vec2 offset : formation.shape().offsets()) {
       key.add(Math.round(offset.x() / SAME));
       key.add(Math.round(offset.y() / SAME));

@@ -108,7 +108,7 @@ final class FormationPlanner {
    * @param margin kept from walls round the start, metres
    * @param shifting whether the group may be led sideways
    */
-  private record Rules(double margin, boolean shifting) {}
+  record Rules(double margin, boolean shifting) {}
 
   FormationPlanner(OccupancyGrid grid, Margins margins, SectionFitter fitter) {
     this.grid = grid;
@@ -116,9 +116,19 @@ final class FormationPlanner {
     this.fitter = fitter;
   }
 
-  /** Kept from walls round the start, metres, in the order in which they are tried. */
-  static List<Double> atStart(Margins margins) {
-    return Stream.of(margins.formation(), Margins.LEAST).distinct().toList();
+  /**
+   * In the order in which they are tried, so that what is proved is what is driven.
+   *
+   * @param canShift whether it may be led sideways, where it has no other path
+   */
+  static Stream<Rules> rules(Margins margins, boolean canShift) {
+    return Stream.of(false, true)
+        .limit(canShift ? 2 : 1)
+        .flatMap(
+            shifting ->
+                Stream.of(margins.formation(), Margins.LEAST)
+                    .distinct()
+                    .map(margin -> new Rules(margin, shifting)));
   }
 
   /**
@@ -196,12 +206,7 @@ final class FormationPlanner {
   }
 
   private Optional<Course> alone(Question question) {
-    Stream<Rules> forward = atStart(margins).stream().map(margin -> new Rules(margin, false));
-    Stream<Rules> shifting =
-        atStart(margins).stream()
-            .filter(_ -> question.formation.shape().mobility().canShift())
-            .map(margin -> new Rules(margin, true));
-    return Stream.concat(forward, shifting)
+    return rules(margins, question.formation.shape().mobility().canShift())
         .flatMap(
             rules -> trajectory(question, List.of(), rules).map(t -> new Course(t, rules)).stream())
         .findFirst();
