@@ -162,6 +162,17 @@ public record Mission(
   }
 
   /**
+   * Where the load goes from {@link #object}, stop by stop: the same while it is fetched and
+   * carried, also those stops that it has left since.
+   */
+  public List<TaskPlace> placesFromObject() {
+    return task.placesFrom(
+        state == TaskState.CARRYING || state == TaskState.RETURNING
+            ? progress.fetchedBefore()
+            : stopNumber());
+  }
+
+  /**
    * The number, from 0, of the stop to which its robots drive in that phase; 0 too where that is
    * none.
    */

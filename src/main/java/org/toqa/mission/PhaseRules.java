@@ -111,7 +111,7 @@ final class PhaseRules {
     Mission going =
         mission
             .withAssignedRobots(inPhase(mission, Phase.TO_OBJECT))
-            .withProgress(new StopProgress(next, null))
+            .withProgress(mission.progress().at(next, null))
             .withState(TaskState.TO_OBJECT);
     return going.step(
         going.driveCommands(Phase.TO_OBJECT), followed(before, leaves(where, next, mission)));
@@ -135,7 +135,7 @@ final class PhaseRules {
     Mission carrying =
         mission
             .withAssignedRobots(inPhase(mission, Phase.TO_GOAL))
-            .withProgress(new StopProgress(mission.stopNumber(), null))
+            .withProgress(StopProgress.fetched(mission.stopNumber()))
             .withState(TaskState.CARRYING);
     return carrying.step(
         carrying.driveCommands(Phase.TO_GOAL),
@@ -144,7 +144,7 @@ final class PhaseRules {
 
   private static Mission.Step waitAt(
       int stop, Mission mission, Sentence one, MissionEvent.PhaseEnded event) {
-    Mission waiting = mission.withProgress(new StopProgress(stop, event.at()));
+    Mission waiting = mission.withProgress(mission.progress().at(stop, event.at()));
     Stop at = waiting.waitingStop().orElseThrow();
     Phrase phrase = at.charge() == null ? Phrase.WAITS_AT_STOP : Phrase.CHARGES_AT_STOP;
     return waiting.step(List.of(), followed(ofSeveral(mission, one), phrase.with(at.sentence())));
@@ -160,7 +160,7 @@ final class PhaseRules {
     Mission going =
         mission
             .withAssignedRobots(inPhase(mission, Phase.TO_GOAL))
-            .withProgress(new StopProgress(next, null));
+            .withProgress(mission.progress().at(next, null));
     return going.step(
         going.driveCommands(Phase.TO_GOAL), followed(before, leaves(where, next, mission)));
   }

@@ -8,13 +8,24 @@ import org.jspecify.annotations.Nullable;
  *
  * @param stop the number, from 0, of the first stop that its robots have not left
  * @param waitingSince when they came there, where they wait there; null: they do not
+ * @param fetchedBefore the number of the stop to which the load was carried first from where it was
+ *     fetched last: not the first one where it had been set down on its way
  */
-public record StopProgress(int stop, @Nullable Instant waitingSince) {
+public record StopProgress(int stop, @Nullable Instant waitingSince, int fetchedBefore) {
 
   /** Nothing is fetched yet. */
-  public static final StopProgress START = new StopProgress(0, null);
+  public static final StopProgress START = new StopProgress(0, null, 1);
 
   StopProgress withoutWait() {
-    return new StopProgress(stop, null);
+    return new StopProgress(stop, null, fetchedBefore);
+  }
+
+  StopProgress at(int number, @Nullable Instant waiting) {
+    return new StopProgress(number, waiting, fetchedBefore);
+  }
+
+  /** The load is on board, and goes to that stop first. */
+  static StopProgress fetched(int before) {
+    return new StopProgress(before, null, before);
   }
 }

@@ -1,14 +1,17 @@
 package org.toqa.store;
 
+import com.fasterxml.jackson.annotation.JsonInclude;
 import java.time.Duration;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Objects;
+import java.util.stream.IntStream;
 import org.jspecify.annotations.Nullable;
 import org.toqa.fleet.TaskOrder.StopOrder;
 import org.toqa.fleet.TaskOrder.Where;
 import org.toqa.geometry.Vec2;
 import org.toqa.mission.Stop;
+import org.toqa.mission.StopProgress;
 import org.toqa.mission.TaskPlace;
 import tools.jackson.databind.json.JsonMapper;
 
@@ -27,6 +30,8 @@ final class StopsJson {
    * @param charges whether the robot charges there; null: it does not
    * @param charger its charging point; null: the robot chooses, or does not charge
    * @param until as far as it charges, of 0 to 1; null: nobody said
+   * @param fetchedBefore whether the load on board went there first from where it had been set
+   *     down; null: it did not
    */
   private record Entry(
       @Nullable Double x,
@@ -36,7 +41,8 @@ final class StopsJson {
       @Nullable Long seconds,
       @Nullable Boolean charges,
       @Nullable String charger,
-      @Nullable Double until) {
+      @Nullable Double until,
+      @JsonInclude(JsonInclude.Include.NON_NULL) @Nullable Boolean fetchedBefore) {
 
     boolean isCharging() {
       return Boolean.TRUE.equals(charges);
@@ -66,15 +72,21 @@ final class StopsJson {
     return wait == null ? null : Long.valueOf(wait.toSeconds());
   }
 
-  static @Nullable String write(List<Stop> stops) {
-    return json(stops.stream().map(StopsJson::entry).toList());
+  /**
+   * @param fetchedBefore as in {@link StopProgress}
+   */
+  static @Nullable String write(List<Stop> stops, int fetchedBefore) {
+    return json(
+        IntStream.range(0, stops.size())
+            .mapToObj(i -> entry(stops.get(i), (i > 1 && i == fetchedBefore) ? true : null))
+            .toList());
   }
 
   static @Nullable String writeOrder(List<StopOrder> stops) {
     return json(stops.stream().map(StopsJson::entry).toList());
   }
 
-  private static Entry entry(Stop stop) {
+  private static Entry entry(Stop stop, @Nullable Boolean fetchedBefore) {
     Stop.Charge charge = stop.charge();
     return new Entry(
         stop.place().position().x(),
@@ -84,7 +96,8 @@ final class StopsJson {
         seconds(stop.waitTime()),
         charge == null ? null : true,
         charge == null ? null : charge.charger(),
-        charge == null ? null : charge.until());
+        charge == null ? null : charge.until(),
+        fetchedBefore);
   }
 
   private static Entry entry(StopOrder stop) {
@@ -92,11 +105,11 @@ final class StopsJson {
     Long seconds = seconds(stop.waitTime());
     return switch (stop.where()) {
       case Where.Station(String name) ->
-          new Entry(null, null, name, person, seconds, null, null, null);
+          new Entry(null, null, name, person, seconds, null, null, null, null);
       case Where.Point(Vec2 at) ->
-          new Entry(at.x(), at.y(), null, person, seconds, null, null, null);
+          new Entry(at.x(), at.y(), null, person, seconds, null, null, null, null);
       case Where.Charger(String name) ->
-          new Entry(null, null, null, person, seconds, true, name, stop.until());
+          new Entry(null, null, null, person, seconds, true, name, stop.until(), null);
     };
   }
 
@@ -114,6 +127,15 @@ final class StopsJson {
                     entry.waitTime(),
                     entry.charge()))
         .toList();
+  }
+
+  /** As it was written. */
+  static int readFetchedBefore(@Nullable String json) {
+    List<Entry> entries = entries(json);
+    return IntStream.range(0, entries.size())
+        .filter(i -> entries.get(i).fetchedBefore() != null)
+        .findFirst()
+        .orElse(StopProgress.START.fetchedBefore());
   }
 
   static List<StopOrder> readOrder(@Nullable String json) {

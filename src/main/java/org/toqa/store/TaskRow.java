@@ -112,7 +112,7 @@ record TaskRow(
         place(setDownX, setDownY),
         trouble == null ? null : trouble.toTrouble(),
         loadId == null || loadSince == null ? null : new LoadRecord(loadId, loadSince),
-        new StopProgress(stop, waitingSince));
+        new StopProgress(stop, waitingSince, StopsJson.readFetchedBefore(stops)));
   }
 
   private TransportTask toTask() {

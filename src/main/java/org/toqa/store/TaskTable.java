@@ -19,6 +19,7 @@ import org.toqa.mission.LoadRecord;
 import org.toqa.mission.Mission;
 import org.toqa.mission.OrderPart;
 import org.toqa.mission.Phase;
+import org.toqa.mission.StopProgress;
 import org.toqa.mission.TaskPlace;
 import org.toqa.mission.TransportTask;
 import org.toqa.mission.TransportTask.LoadSize;
@@ -50,7 +51,8 @@ final class TaskTable {
                         :priority, :deadline, 'QUEUED', :at, :at, :submission, :order, :part, :awaits, :onlyRobots, :stops,
                         :armPickX, :armPickY, :armPlaceX, :armPlaceY)
                       """),
-                task)
+                task,
+                StopProgress.START)
             .bind("owner", owner)
             .bind("user", task.user())
             .bind("at", task.createdAt())
@@ -64,8 +66,8 @@ final class TaskTable {
     return task.withId(id).withOwner(task.user(), owner);
   }
 
-  /** What is ordered of the task. */
-  private static Update bindOrder(Update statement, TransportTask task) {
+  /** What is ordered of the task, and beside its stops how far it is. */
+  private static Update bindOrder(Update statement, TransportTask task, StopProgress progress) {
     LoadSize size = task.size();
     ArmHandling arm = task.arm();
     return statement
@@ -87,7 +89,7 @@ final class TaskTable {
         .bind("priority", task.priority())
         .bind("deadline", task.deadline())
         .bind("onlyRobots", RobotNames.write(task.onlyRobots()))
-        .bind("stops", StopsJson.write(task.stops()));
+        .bind("stops", StopsJson.write(task.stops(), progress.fetchedBefore()));
   }
 
   /**
@@ -143,7 +145,8 @@ final class TaskTable {
               stop = :stop, waiting_since = :waitingSince
             where id = :id
             """),
-            mission.task())
+            mission.task(),
+            mission.progress())
         .bind("owner", mission.task().owner())
         .bind("user", mission.task().user())
         .bind("state", mission.state().name())

@@ -7,12 +7,14 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.time.Duration;
 import java.util.List;
+import java.util.Set;
 import org.junit.jupiter.api.Test;
 import org.toqa.fleet.TaskOrder.StopOrder;
 import org.toqa.fleet.TaskOrder.Where;
 import org.toqa.geometry.Vec2;
 import org.toqa.mission.LoadChoice;
 import org.toqa.mission.MissionEvent;
+import org.toqa.mission.Reply;
 import org.toqa.mission.StopState;
 import org.toqa.mission.TaskState;
 
@@ -165,6 +167,52 @@ class FleetStopsTest extends HallFleetTest {
     until(view -> task(view, task).state() == TaskState.CANCELLED);
 
     assertEquals(1, stage.fleet.snapshots().latest().floors().getFirst().leftLoads().size());
+  }
+
+  /** Where there is no room for others at a stop that the load has left. */
+  @Test
+  void aLoadThatWasSetDownBetweenStopsIsForAllWhoHaveRoomOnTheRestOfItsWay() throws Exception {
+    stage.add("r3", new Vec2(2.5, 0.5), null).setFootprint(0.7);
+    stage.add("r4", new Vec2(2.5, 2.5), null).setFootprint(0.7);
+    TaskOrder heavy = orderForTwo();
+    for (String robot : List.of("r3", "r4")) {
+      accepted(stage.fleet.takeOutOfService(robot, "Max"));
+    }
+    Where end = new Where.Point(new Vec2(14.5, 0.5));
+    Where middle = new Where.Point(new Vec2(9.5, 1.5));
+    long task =
+        submit(
+            new TaskOrder("box", heavy.load(), middle, heavy.start(), null, 0, null, null)
+                .along(
+                    List.of(
+                        stop(middle),
+                        stop(end),
+                        new StopOrder(middle, true, null),
+                        stop(heavy.start()))));
+    until(view -> task(view, task).progress().stop() == 2);
+    until(view -> scriptedRobot("r1").isDriving() && scriptedRobot("r1").position().x() < 12.5);
+    assertEquals(
+        Set.of("r1", "r2"), Set.copyOf(task(stage.fleet.snapshots().latest(), task).robots()));
+    scriptedRobot("r1").breakDown("BUMPER");
+    until(view -> task(view, task).needs() != null);
+    accepted(stage.fleet.commandTask(task, new MissionEvent.Answer("Max", Reply.ANOTHER)));
+    for (String robot : List.of("r1", "r2")) {
+      scriptedRobot(robot).fallSilent(); // it is carried away
+      until(view -> robot(view, robot).state() == RobotState.LOST);
+      accepted(stage.fleet.takeOutOfService(robot, "Max"));
+    }
+    for (String robot : List.of("r3", "r4")) {
+      accepted(stage.fleet.putInService(robot, "Max"));
+    }
+
+    until(view -> task(view, task).robots().size() == 2);
+    until(view -> task(view, task).isWaitingAtStop());
+    accepted(stage.fleet.commandTask(task, new MissionEvent.GoOn("Clara", 2)));
+    until(view -> task(view, task).progress().stop() == 3);
+    stage.restart();
+    until(view -> !view.tasks().isEmpty());
+    assertEquals(2, task(stage.fleet.snapshots().latest(), task).progress().fetchedBefore());
+    until(view -> task(view, task).state() == TaskState.DONE);
   }
 
   @Test

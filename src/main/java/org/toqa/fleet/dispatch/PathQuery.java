@@ -105,7 +105,7 @@ final class PathQuery {
     static TeamQuestion of(Mission mission, List<Candidate> team) {
       return new TeamQuestion(
           mission.object(),
-          mission.task().placesFrom(1),
+          mission.placesFromObject(),
           team.size(),
           team.stream()
               .mapToDouble(Candidate::diameter)

@@ -46,7 +46,7 @@ final class Formations {
   private final Map<Key, Optional<Formation>> formations = new HashMap<>();
 
   /** What a formation is made of. */
-  private record Key(long task, Vec2 object, List<String> robots) {}
+  private record Key(long task, Vec2 object, List<Vec2> stops, List<String> robots) {}
 
   Formations(FloorState state) {
     this.state = state;
@@ -60,21 +60,17 @@ final class Formations {
     }
     List<String> robots = mission.assignedRobots().stream().map(AssignedRobot::robot).toList();
     Vec2 object = mission.object().position();
+    List<Vec2> stops = mission.placesFromObject().stream().map(TaskPlace::position).toList();
     return formations.computeIfAbsent(
-        new Key(mission.id(), object, robots),
+        new Key(mission.id(), object, stops, robots),
         key ->
             places.find(
                 object,
-                stops(mission),
+                stops,
                 robots.size(),
                 mission.task().size(),
                 largestRadius(mission),
                 mobility(mission)));
-  }
-
-  /** All of them, also those that it has left: what was found once is found again. */
-  private static List<Vec2> stops(Mission mission) {
-    return mission.task().placesFrom(1).stream().map(TaskPlace::position).toList();
   }
 
   private GroupMobility mobility(Mission mission) {

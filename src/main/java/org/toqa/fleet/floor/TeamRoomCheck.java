@@ -40,7 +40,7 @@ public final class TeamRoomCheck {
     Vec2 object = mission.object().position();
     LoadSize size = Objects.requireNonNullElse(mission.task().size(), LoadSize.DEFAULT);
     List<Formation> around = places.around(object, robots, size, diameter / 2, mobility);
-    List<TaskPlace> stops = mission.task().placesFrom(1);
+    List<TaskPlace> stops = mission.placesFromObject();
     List<FormationPaths> legs = places.legs(stops.stream().map(TaskPlace::position).toList());
     if (FormationPlacement.firstWithPath(around, legs).isPresent()) {
       return Optional.empty();
@@ -56,11 +56,7 @@ public final class TeamRoomCheck {
   /** The number of the leg to which those that come farthest come. */
   private static int firstWithoutPath(List<Formation> around, List<FormationPaths> legs) {
     return around.stream()
-        .mapToInt(
-            formation ->
-                Math.max(
-                    FormationPlacement.passedLegs(formation, legs, false),
-                    FormationPlacement.passedLegs(formation, legs, true)))
+        .mapToInt(formation -> FormationPlacement.passedLegs(formation, legs, true))
         .max()
         .orElse(0);
   }
