@@ -79,7 +79,6 @@ public final class MissionEvents {
             new MissionEvent.Answer("max", Reply.ANOTHER),
             new MissionEvent.Answer("max", Reply.WAIT),
             new MissionEvent.Answer("max", Reply.CANCEL),
-            new MissionEvent.Cancel("max", LoadChoice.HERE).given(ONE_DRIVES),
             new MissionEvent.Answer("max", Reply.CANCEL).given(ONE_DRIVES));
     Arbitrary<MissionEvent> goOn = Arbitraries.just(new MissionEvent.GoOn("max", null));
     Arbitrary<MissionEvent> waits =
