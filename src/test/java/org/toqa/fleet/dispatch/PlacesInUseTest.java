@@ -72,7 +72,7 @@ class PlacesInUseTest {
             null,
             null,
             null,
-            new StopProgress(1, NOON));
+            new StopProgress(1, NOON, 1));
     return PlacesInUse.of(
             Stream.of(TaskView.of(mission, null, NOON)), List.of(robot("r1", 7L, 7, 4.5)))
         .stream()
