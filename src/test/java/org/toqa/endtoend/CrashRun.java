@@ -2,6 +2,7 @@ package org.toqa.endtoend;
 
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
+import static org.junit.jupiter.api.Assertions.fail;
 
 import java.io.IOException;
 import java.time.Duration;
@@ -305,9 +306,18 @@ final class CrashRun {
           wordlessSince.remove(id);
         }
       }
-      assertTrue(System.nanoTime() < end, () -> "these have not ended: " + open);
+      if (System.nanoTime() > end) {
+        fail("these have not ended: " + open + whatIsGoingOn());
+      }
       TimeUnit.MILLISECONDS.sleep(LOOK_MILLIS);
     }
+  }
+
+  private String whatIsGoingOn() throws Exception {
+    return "\nrobots: "
+        + site.server.api().tryToGet("robots")
+        + "\nlast events: "
+        + site.server.api().tryToGet("history?limit=60");
   }
 
   private boolean isNoneDue() throws Exception {

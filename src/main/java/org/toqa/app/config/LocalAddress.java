@@ -6,14 +6,14 @@ import java.net.SocketException;
 import java.net.UnknownHostException;
 
 /** Addresses at which this machine can listen. */
-public final class LocalAddress {
+final class LocalAddress {
   private LocalAddress() {}
 
   /**
    * @param text a host name or an IP address
    * @throws UnknownHostException there is none such, or it is another machine's
    */
-  public static InetAddress parse(String text) throws UnknownHostException {
+  static InetAddress parse(String text) throws UnknownHostException {
     InetAddress address = InetAddress.getByName(text);
     if (!isOfThisMachine(address)) {
       throw new UnknownHostException(text);

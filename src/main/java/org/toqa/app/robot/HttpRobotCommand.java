@@ -12,7 +12,6 @@ import org.jspecify.annotations.Nullable;
 import org.toqa.app.command.Arguments;
 import org.toqa.app.command.PlaceArgument;
 import org.toqa.app.command.StopSignal;
-import org.toqa.app.config.LocalAddress;
 import org.toqa.geometry.Pose;
 import org.toqa.link.http.RobotToken;
 import org.toqa.link.trust.Identity;
@@ -164,7 +163,7 @@ public final class HttpRobotCommand implements Callable<Integer> {
 
   private InetAddress address(Arguments arguments) {
     try {
-      return LocalAddress.parse(address);
+      return InetAddress.getByName(address);
     } catch (UnknownHostException e) {
       throw arguments.invalid("--address " + address + " is no address of this machine");
     }
