@@ -38,12 +38,9 @@ class FormationLegsPropertyTest {
     Random random = new Random(seed);
     OccupancyGrid grid = floor(random);
     Shape shape =
-        Stream.of(
-                new Shape(new Vec2(LOAD, 0), List.of(new Vec2(-LOAD, 0))),
-                new Shape(new Vec2(0, LOAD), List.of(new Vec2(0, -LOAD))))
-            .skip(random.nextInt(2))
-            .findFirst()
-            .orElseThrow()
+        (random.nextBoolean()
+                ? new Shape(new Vec2(LOAD, 0), List.of(new Vec2(-LOAD, 0)))
+                : new Shape(new Vec2(0, LOAD), List.of(new Vec2(0, -LOAD))))
             .withMobility(GroupMobility.SHIFTING);
     FormationFootprint group = new FormationFootprint(shape, RADIUS, LOAD, LOAD);
     Vec2 object = place(random);
