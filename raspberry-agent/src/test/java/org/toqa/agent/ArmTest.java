@@ -202,12 +202,17 @@ class ArmTest {
     assertEquals(done(pick(1), 1.5), runToItsEnd(server));
   }
 
-  @Test
-  void cancelledArmStandsAndIsFoldedBeforeTheRobotDrives() {
+  /** Its commands have the numbers 1 and 2. */
+  private void cancelWithArmOut() {
     server.assertAccepted(pick(1));
     server.advance(Duration.ofMillis(900));
     server.assertAccepted(new Cancel(2, 5L));
     server.advance(Duration.ofSeconds(2));
+  }
+
+  @Test
+  void cancelledArmStandsAndIsFoldedBeforeTheRobotDrives() {
+    cancelWithArmOut();
     JointAngles stand = arm(server.state()).joints();
     assertTrue(stand.minus(ARM.rest()).largest() > 0.1);
     assertNull(arm(server.state()).act());
@@ -272,10 +277,7 @@ class ArmTest {
   @Test
   void armThatDoesNotComeToItsRestIsToldAndTriedAgainWhenAPersonSaysSo() {
     SimulatedArm body = (SimulatedArm) rig.body().arm().orElseThrow();
-    server.assertAccepted(pick(1));
-    server.advance(Duration.ofMillis(900));
-    server.assertAccepted(new Cancel(2, 5L));
-    server.advance(Duration.ofSeconds(2));
+    cancelWithArmOut();
     body.setStuck(true);
     JointAngles held = arm(server.state()).joints();
     List<Segment> path = List.of(new Segment(0.25, 0, 4));
@@ -300,10 +302,7 @@ class ArmTest {
 
   @Test
   void followerFoldsItsArmBeforeItFollows() {
-    server.assertAccepted(pick(1));
-    server.advance(Duration.ofMillis(900));
-    server.assertAccepted(new Cancel(2, 5L));
-    server.advance(Duration.ofSeconds(2));
+    cancelWithArmOut();
     server.assertAccepted(new Follow(3, 6, "r9", null, new Vec2(-0.5, 0), 0.5, null));
     server.advanceUntil(
         state -> arm(state).joints().minus(ARM.rest()).largest() < 0.01, Duration.ofSeconds(10));
