@@ -96,8 +96,9 @@ export class Publishing {
   }
 
   async #ask() {
+    const saved = this.#changes;
     if (!(await this.#draft.save())) {
-      this.#editor.say(text('editor.publish.unsaved'));
+      this.#editor.say(text(this.#changes === saved ? 'editor.publish.unsaved' : 'editor.changedMeanwhile'));
       return;
     }
     if (!(await this.#check()) || this.problems.some(({blocking}) => blocking)) {

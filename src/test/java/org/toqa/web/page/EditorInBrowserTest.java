@@ -287,23 +287,40 @@ class EditorInBrowserTest extends PagesInBrowser {
   }
 
   @Test
-  void thatTheDrawingHasChangedWhileItWasCheckedIsSaid() {
-    Page page = editor(WebTestServer.MANAGER);
-    tool(page, "stations");
-    click(page, 8.25, 3.15);
-    List<Route> asked = new ArrayList<>();
-    page.route("**/draft/check", asked::add);
-    page.locator("#publish").click();
-    await(page, () -> !asked.isEmpty());
-    click(page, 8.25, 4.05);
+  void thatTheDrawingHasChangedWhileItWasSavedIsSaid() {
+    Page page = changedWhile("**/draft");
 
-    asked.forEach(Route::resume);
+    assertThat(page.locator("#said"))
+        .hasText("The drawing has changed meanwhile. Check or publish it again.");
+    assertThat(page.locator("#publishing")).isHidden();
+    assertThat(page.locator("#problems")).isHidden();
+    awaitDraft(drawing -> drawing.stations().size() == 4);
+  }
+
+  @Test
+  void thatTheDrawingHasChangedWhileItWasCheckedIsSaid() {
+    Page page = changedWhile("**/draft/check");
 
     assertThat(page.locator("#problems-summary"))
         .hasText("The drawing has changed meanwhile. Check or publish it again.");
     assertThat(page.locator("#said")).hasText(page.locator("#problems-summary").textContent());
     assertThat(page.locator("#publishing")).isHidden();
     assertFits(page, "editor-changed-meanwhile", PHONE, DESK);
+  }
+
+  /** An editor in which a station was drawn on while what publishing asks was under way. */
+  private Page changedWhile(String asking) {
+    Page page = editor(WebTestServer.MANAGER);
+    tool(page, "stations");
+    click(page, 8.25, 3.15);
+    List<Route> asked = new ArrayList<>();
+    page.route(asking, asked::add);
+    page.locator("#publish").click();
+    await(page, () -> !asked.isEmpty());
+    click(page, 8.25, 4.05);
+    page.unroute(asking);
+    asked.forEach(Route::resume);
+    return page;
   }
 
   @Test
