@@ -37,6 +37,9 @@ document.addEventListener('submit', async (event) => {
 function submit(form, submitter) {
   if (!form.isConnected) { // its live region was replaced meanwhile
     form.hidden = true;
+    for (const element of form.querySelectorAll('[id]')) {
+      element.removeAttribute('id'); // what has taken its place bears it
+    }
     document.body.append(form);
   }
   form.requestSubmit(submitter);
