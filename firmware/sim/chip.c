@@ -30,7 +30,7 @@ static struct lcd_model lcd;
 static struct surroundings surroundings;
 static struct board_model board;
 
-static uint64_t samples; /* of the motors */
+static uint64_t steps; /* of the motors */
 static uint64_t exchanged_us;
 static uint64_t moved_us;
 
@@ -40,16 +40,16 @@ static struct {
     uint8_t instruction[HANG_LENGTH]; /* that is there else */
 } hung;
 
-static avr_cycle_count_t sample_rig(avr_t *chip, avr_cycle_count_t when, void *parameter)
+static avr_cycle_count_t turn_rig(avr_t *chip, avr_cycle_count_t when, void *parameter)
 {
     (void)when;
     (void)parameter;
-    samples++;
-    drive->sample();
+    steps++;
+    drive->turn();
     if (rig_fastest_rim(&rig) > STOPPED_M_S) {
         moved_us = chip_us();
     }
-    return (avr_cycle_count_t)llround((double)(samples + 1) * drive->seconds *
+    return (avr_cycle_count_t)llround((double)(steps + 1) * drive->seconds *
                                       chip->frequency);
 }
 
@@ -63,7 +63,7 @@ static avr_cycle_count_t feel(avr_t *chip, avr_cycle_count_t when, void *paramet
 /* simavr forgets all timers when the chip is reset. */
 static void begin_timers(void)
 {
-    avr_cycle_timer_register(avr, 1, sample_rig, NULL);
+    avr_cycle_timer_register(avr, 1, turn_rig, NULL);
     avr_cycle_timer_register_usec(avr, FEEL_PERIOD_US, feel, NULL);
 }
 

@@ -7,7 +7,7 @@
 #include "rig.h"
 
 struct drive_model {
-    double seconds; /* of a sample */
+    double seconds; /* of a step */
 
     /* Begins to wire; chip and motors must last as long. */
     void (*wire)(avr_t *avr, struct rig *rig);
@@ -15,8 +15,8 @@ struct drive_model {
     /* After every reset of the chip. */
     void (*restart)(void);
 
-    /* At the end of every sample: turns the motors through the next one. */
-    void (*sample)(void);
+    /* At the end of every step: turns the motors through the next one. */
+    void (*turn)(void);
 };
 
 #endif

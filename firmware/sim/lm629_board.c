@@ -26,6 +26,15 @@ static uint8_t lines_before;
 enum { BUSY_US = 100 };
 static avr_cycle_count_t busy_until[RIG_WHEELS];
 
+/*
+ * The controllers sample their motors, which turn all the time: 3.5 counts a sample at full speed,
+ * half a count a step.
+ */
+enum { STEPS_A_SAMPLE = 8 };
+#define STEP (LM629_MODEL_SAMPLE / STEPS_A_SAMPLE)
+static double duties[RIG_WHEELS];
+static int step;
+
 static avr_irq_t *port(char name, int irq)
 {
     return avr_io_getirq(chip, (uint32_t)AVR_IOCTL_IOPORT_GETIRQ(name), irq);
@@ -111,6 +120,7 @@ static void wire(avr_t *avr, struct rig *rig)
     chip = avr;
     motors = rig;
     lines_before = 0xFF;
+    step = 0;
     for (int i = 0; i < RIG_WHEELS; i++) {
         lm629_model_begin(&controllers[i], &rig->motors[i]);
     }
@@ -122,18 +132,17 @@ static void restart(void)
 {
 }
 
-static void sample(void)
+static void turn(void)
 {
-    double duties[RIG_WHEELS];
-
-    for (int i = 0; i < RIG_WHEELS; i++) {
+    for (int i = 0; step == 0 && i < RIG_WHEELS; i++) {
         duties[i] = lm629_model_sample(&controllers[i]);
     }
-    rig_turn(motors, duties, LM629_MODEL_SAMPLE);
+    step = (step + 1) % STEPS_A_SAMPLE;
+    rig_turn(motors, duties, STEP);
 }
 
 const struct drive_model lm629_board = {
-    .seconds = LM629_MODEL_SAMPLE, .wire = wire, .restart = restart, .sample = sample};
+    .seconds = STEP, .wire = wire, .restart = restart, .turn = turn};
 
 struct lm629_model *lm629_board_controllers(void)
 {

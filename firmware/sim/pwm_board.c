@@ -31,13 +31,13 @@ enum {
 };
 
 /* Seconds: a few periods of the PWM; an encoder has an edge in every other one at most. */
-#define SAMPLE 0.00005
+#define STEP 0.00005
 
-/* A wheel's encoder in the sample that runs. */
+/* A wheel's encoder in the step that runs. */
 struct encoder {
     int wheel;
     int64_t shown; /* counts that its pins show */
-    double from;   /* counts where the motor was at the sample's beginning, and will be at its end */
+    double from;   /* counts where the motor was at the step's beginning, and will be at its end */
     double to;
     avr_cycle_count_t begun;
 };
@@ -87,7 +87,7 @@ static void show(const struct encoder *encoder)
     avr_raise_irq(pin('E', ENCODER_PIN_0 + encoder->wheel), a_of(encoder->shown));
 }
 
-/* The cycle of the next edge in this sample; 0 where there is none. */
+/* The cycle of the next edge in this step; 0 where there is none. */
 static avr_cycle_count_t next_edge(const struct encoder *encoder)
 {
     bool is_forward = encoder->to > encoder->from;
@@ -98,7 +98,7 @@ static avr_cycle_count_t next_edge(const struct encoder *encoder)
         return 0;
     }
     return encoder->begun +
-           (avr_cycle_count_t)llround(share * SAMPLE * chip->frequency);
+           (avr_cycle_count_t)llround(share * STEP * chip->frequency);
 }
 
 static avr_cycle_count_t turn_on(avr_t *avr, avr_cycle_count_t when, void *parameter)
@@ -140,7 +140,7 @@ static void turn_encoder(struct encoder *encoder, double before)
     }
 }
 
-static void sample(void)
+static void turn(void)
 {
     double duties[RIG_WHEELS];
     double before[RIG_WHEELS];
@@ -149,7 +149,7 @@ static void sample(void)
         duties[i] = duty_of(i);
         before[i] = motors->motors[i].angle;
     }
-    rig_turn(motors, duties, SAMPLE);
+    rig_turn(motors, duties, STEP);
     for (int i = 0; i < RIG_WHEELS; i++) {
         turn_encoder(&encoders[i], before[i]);
     }
@@ -179,4 +179,4 @@ static void wire(avr_t *avr, struct rig *rig)
 }
 
 const struct drive_model pwm_board = {
-    .seconds = SAMPLE, .wire = wire, .restart = restart, .sample = sample};
+    .seconds = STEP, .wire = wire, .restart = restart, .turn = turn};
