@@ -101,11 +101,12 @@ public final class FloorMap {
    * @param point metres, map frame
    */
   public @Nullable Double headingAt(Vec2 point) {
-    return facing.stream()
-        .filter(place -> place.position().distanceTo(point) < SAME_POINT)
-        .map(Place::heading)
-        .findFirst()
-        .orElse(null);
+    for (Place place : facing) {
+      if (place.position().distanceTo(point) < SAME_POINT) {
+        return place.heading();
+      }
+    }
+    return null;
   }
 
   /** The station, parking or charging point of that name. */

@@ -91,7 +91,12 @@ public record Mission(
   }
 
   public Optional<AssignedRobot> assignedRobot(String robot) {
-    return assignedRobots.stream().filter(c -> c.robot().equals(robot)).findFirst();
+    for (AssignedRobot assigned : assignedRobots) {
+      if (assigned.robot().equals(robot)) {
+        return Optional.of(assigned);
+      }
+    }
+    return Optional.empty();
   }
 
   /** The names, in the order they were chosen. */

@@ -134,9 +134,7 @@ final class FloorReporter {
   }
 
   TaskView view(OpenMissions.DatedMission dated) {
-    Mission mission = dated.mission();
-    return TaskView.of(
-        mission, mission.state().isEnded() ? null : waitReason(dated), dated.changedAt());
+    return dated.view(dated.mission().state().isEnded() ? null : waitReason(dated));
   }
 
   private @Nullable Sentence waitReason(OpenMissions.DatedMission dated) {
@@ -156,25 +154,22 @@ final class FloorReporter {
 
   /** Where its robots wait at a stop, whom or what they wait for. */
   private Optional<Sentence> waitAtStop(Mission mission) {
-    return mission
-        .waitingStop()
-        .map(
-            stop -> {
-              Sentence robots = Sentence.names(mission.robots());
-              Sentence place = stop.sentence();
-              Duration wait = stop.waitTime();
-              if (stop.charge() != null) {
-                return chargeSentence(robots, stop);
-              }
-              if (wait == null) {
-                return Phrase.WAITS_FOR_PERSON_AT.with(robots, place);
-              }
-              Phrase phrase =
-                  stop.awaitsPerson()
-                      ? Phrase.WAITS_FOR_PERSON_OR_A_WHILE_AT
-                      : Phrase.WAITS_A_WHILE_AT;
-              return phrase.with(robots, place, Sentence.of(wait));
-            });
+    return mission.waitingStop().map(stop -> waitAtStop(mission, stop));
+  }
+
+  private Sentence waitAtStop(Mission mission, Stop stop) {
+    Sentence robots = Sentence.names(mission.robots());
+    Sentence place = stop.sentence();
+    Duration wait = stop.waitTime();
+    if (stop.charge() != null) {
+      return chargeSentence(robots, stop);
+    }
+    if (wait == null) {
+      return Phrase.WAITS_FOR_PERSON_AT.with(robots, place);
+    }
+    Phrase phrase =
+        stop.awaitsPerson() ? Phrase.WAITS_FOR_PERSON_OR_A_WHILE_AT : Phrase.WAITS_A_WHILE_AT;
+    return phrase.with(robots, place, Sentence.of(wait));
   }
 
   /** What lets it go on, whichever comes first. */
@@ -218,7 +213,11 @@ final class FloorReporter {
         }
       }
     }
-    return reasons.isEmpty() ? null : Sentence.joined(Phrase.LISTED_APART, reasons);
+    return switch (reasons.size()) {
+      case 0 -> null;
+      case 1 -> reasons.getFirst();
+      default -> Sentence.joined(Phrase.LISTED_APART, reasons);
+    };
   }
 
   /** That it waits for its turn to charge for its task, or needs help with that. */

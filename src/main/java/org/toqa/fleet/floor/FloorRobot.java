@@ -8,6 +8,7 @@ import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 import org.toqa.fleet.ChargeRecord.Turn;
+import org.toqa.fleet.FleetStore.StoredDrive;
 import org.toqa.fleet.RobotCondition;
 import org.toqa.fleet.RobotRecord;
 import org.toqa.fleet.RobotState;
@@ -152,13 +153,12 @@ final class FloorRobot {
   /** Whether it drives, or was just told to drive, there. */
   boolean isDrivingTo(DriveGoal wanted) {
     DriveOrder order = drive.order();
-    return order
-        .storedDrive()
-        .filter(told -> order.isPending() || reported.drive() == told.seq())
-        .filter(told -> told.phase() == wanted.phase())
-        .filter(told -> Objects.equals(told.task(), wanted.task()))
-        .filter(told -> order.knownGoal() == null || wanted.goal().equals(order.knownGoal()))
-        .isPresent();
+    StoredDrive told = order.storedDrive().orElse(null);
+    return told != null
+        && (order.isPending() || reported.drive() == told.seq())
+        && told.phase() == wanted.phase()
+        && Objects.equals(told.task(), wanted.task())
+        && (order.knownGoal() == null || wanted.goal().equals(order.knownGoal()));
   }
 
   /** Ends its drive, once. */

@@ -115,7 +115,12 @@ record LastReport(
 
   /** Whether one of its errors has this code. */
   boolean hasError(String code) {
-    return errors.stream().anyMatch(fault -> fault.code().equals(code));
+    for (Fault fault : errors) {
+      if (fault.code().equals(code)) {
+        return true;
+      }
+    }
+    return false;
   }
 
   /** Whether it says that something is wrong, other than with that code. */

@@ -18,6 +18,9 @@ final class MissionIndex {
   /** By robot, the missions that it works for, by their numbers. */
   private final Map<String, TreeMap<Long, Mission>> byRobot = new HashMap<>();
 
+  /** By robot, the one of those that counts: kept, since each tick asks for it many times. */
+  private final Map<String, Optional<Mission>> first = new HashMap<>();
+
   private long lastNumber;
 
   /**
@@ -33,10 +36,10 @@ final class MissionIndex {
     }
     Entry next = new Entry(before == null ? ++lastNumber : before.number(), mission);
     byTask.put(mission.id(), next);
-    robotsOf(mission)
-        .forEach(
-            robot ->
-                byRobot.computeIfAbsent(robot, _ -> new TreeMap<>()).put(next.number(), mission));
+    for (String robot : robotsOf(mission)) {
+      byRobot.computeIfAbsent(robot, _ -> new TreeMap<>()).put(next.number(), mission);
+      updateFirst(robot);
+    }
   }
 
   void remove(long task) {
@@ -54,6 +57,16 @@ final class MissionIndex {
             missions.remove(entry.number());
             return missions.isEmpty() ? null : missions;
           });
+      updateFirst(robot);
+    }
+  }
+
+  private void updateFirst(String robot) {
+    TreeMap<Long, Mission> missions = byRobot.get(robot);
+    if (missions == null) {
+      first.remove(robot);
+    } else {
+      first.put(robot, Optional.of(missions.firstEntry().getValue()));
     }
   }
 
@@ -66,7 +79,6 @@ final class MissionIndex {
 
   /** The mission that the robot works for. */
   Optional<Mission> missionOf(String robot) {
-    return Optional.ofNullable(byRobot.get(robot))
-        .map(missions -> missions.firstEntry().getValue());
+    return first.getOrDefault(robot, Optional.empty());
   }
 }

@@ -6,9 +6,13 @@ import java.util.Collection;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Optional;
+import org.jspecify.annotations.Nullable;
+import org.toqa.fleet.TaskView;
 import org.toqa.mission.Mission;
 import org.toqa.mission.TaskState;
+import org.toqa.wording.Sentence;
 
 /**
  * A floor's missions that have not ended, those that ended since they were last told of, and what
@@ -24,7 +28,38 @@ final class OpenMissions {
   private final MissionIndex openByRobot = new MissionIndex();
 
   /** A mission, and when it last changed. */
-  record DatedMission(Mission mission, Instant changedAt) {}
+  static final class DatedMission {
+    private final Mission mission;
+    private final Instant changedAt;
+    private @Nullable TaskView view;
+
+    DatedMission(Mission mission, Instant changedAt) {
+      this.mission = mission;
+      this.changedAt = changedAt;
+    }
+
+    Mission mission() {
+      return mission;
+    }
+
+    Instant changedAt() {
+      return changedAt;
+    }
+
+    /**
+     * As readers see it: the same from tick to tick while it waits for the same.
+     *
+     * @param waitingFor a sentence while it waits, else null
+     */
+    TaskView view(@Nullable Sentence waitingFor) {
+      TaskView known = view;
+      if (known == null || !Objects.equals(known.waitingFor(), waitingFor)) {
+        known = TaskView.of(mission, waitingFor, changedAt);
+        view = known;
+      }
+      return known;
+    }
+  }
 
   void put(Mission mission, Instant at) {
     if (mission.state().isEnded()) {

@@ -58,8 +58,8 @@ final class Claims {
 
   @SuppressWarnings("ReferenceEquality") // sections keep their areas, and these are compared often
   private static boolean isAmong(SweptArea area, List<SweptArea> areas) {
-    for (SweptArea other : areas) {
-      if (other == area) {
+    for (int i = 0; i < areas.size(); i++) { // without an iterator each time
+      if (areas.get(i) == area) {
         return true;
       }
     }

@@ -453,6 +453,11 @@ final class Drive {
     return Optional.of(new DriveCommand.Room(robot, lentRoom.room()));
   }
 
+  /** Whether anything of its path has changed since it was told of that. */
+  boolean hasChanged() {
+    return !isBegun || isChangeUnsent || released != sentReleased;
+  }
+
   /**
    * What the robot does not know yet of its path, if anything; counts as told from now on.
    *

@@ -2,6 +2,7 @@ package org.toqa.traffic.floor;
 
 import java.time.Duration;
 import java.time.Instant;
+import java.util.ArrayList;
 import java.util.BitSet;
 import java.util.List;
 import java.util.Map;
@@ -522,9 +523,11 @@ public final class FloorTraffic {
       pathAssigner.adoptPlan(obstacles, now); // if it is made already
       release(now);
     }
-    standstillDetector.update(robots.values(), now);
+    standstillDetector.update(robots, now);
     waitChains.update(robots);
-    return robots.values().stream().flatMap(robot -> robot.takeUnsentCommands().stream()).toList();
+    List<DriveCommand> commands = new ArrayList<>();
+    robots.values().forEach(robot -> robot.takeUnsentCommands(commands));
+    return commands;
   }
 
   /** Whether the plan that is being made was asked for so long ago. */

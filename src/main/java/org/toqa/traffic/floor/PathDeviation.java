@@ -26,9 +26,10 @@ public record PathDeviation(double crossTrack, double heading) {
     for (Segment segment : open.segments()) {
       double share = segment.shareDone(start, robot);
       Pose here = start.advanced(segment.twist(), share * segment.t());
-      if (distance(here, robot) < distance) {
+      double off = distance(here, robot);
+      if (off < distance) {
         nearest = here;
-        distance = distance(here, robot);
+        distance = off;
       }
       start = start.advanced(segment.twist(), segment.t());
     }

@@ -38,8 +38,8 @@ final class PlanAdopter {
     /** None of them may be on a path. */
     final BitSet newObstacles;
 
-    final Map<String, TrafficRobot> pictured = new HashMap<>();
-    final Map<String, ProposedPath> proposed = new HashMap<>();
+    final Map<String, TrafficRobot> pictured;
+    final Map<String, ProposedPath> proposed;
 
     /** By robot whose path fits: so many of its sections it has been released meanwhile. */
     final Map<String, Integer> along = new HashMap<>();
@@ -47,6 +47,8 @@ final class PlanAdopter {
     Adoption(FloorPlan plan, BitSet newObstacles) {
       this.plan = plan;
       this.newObstacles = newObstacles;
+      pictured = HashMap.newHashMap(plan.request().robots().size());
+      proposed = HashMap.newHashMap(plan.paths().size());
       plan.request().robots().forEach(robot -> pictured.put(robot.name, robot));
       plan.paths().forEach(path -> proposed.put(path.robot(), path));
     }

@@ -3,7 +3,6 @@ package org.toqa.traffic.floor;
 import java.time.Duration;
 import java.time.Instant;
 import java.util.ArrayList;
-import java.util.Collection;
 import java.util.Collections;
 import java.util.Comparator;
 import java.util.HashMap;
@@ -49,13 +48,15 @@ final class StandstillDetector {
     return robot.drive.lastProgress().plus(patience).isBefore(now);
   }
 
-  /** Looks at all robots; a cycle counts once it has lasted. */
-  void update(Collection<TrafficRobot> robots, Instant now) {
-    Map<String, TrafficRobot> byName = new HashMap<>();
-    robots.forEach(robot -> byName.put(robot.name, robot));
+  /**
+   * Looks at all robots; a cycle counts once it has lasted.
+   *
+   * @param robots all, by name
+   */
+  void update(Map<String, TrafficRobot> robots, Instant now) {
     List<Standstill> seen = new ArrayList<>();
     Set<String> stalled = new HashSet<>();
-    for (TrafficRobot robot : robots) {
+    for (TrafficRobot robot : robots.values()) {
       if (robot.isStalled() && robot.isMovable()) {
         stalled.add(robot.name);
         Instant since = notMoving.computeIfAbsent(robot.name, name -> now);
@@ -64,7 +65,7 @@ final class StandstillDetector {
     }
     notMoving.keySet().retainAll(stalled);
     Set<Set<String>> found = new HashSet<>();
-    for (List<TrafficRobot> cycle : cycles(robots, byName)) {
+    for (List<TrafficRobot> cycle : cycles(robots)) {
       Set<String> names = new HashSet<>();
       cycle.forEach(c -> names.add(c.name));
       if (found.add(names)) {
@@ -88,16 +89,18 @@ final class StandstillDetector {
    * All cycles of waits, each from its first robot by name. Each robot waits for one at most, so
    * each is looked at once: a chain that comes to one seen in an earlier chain brings nothing new.
    */
-  private static List<List<TrafficRobot>> cycles(
-      Collection<TrafficRobot> robots, Map<String, TrafficRobot> byName) {
+  private static List<List<TrafficRobot>> cycles(Map<String, TrafficRobot> robots) {
     List<List<TrafficRobot>> all = new ArrayList<>();
     Set<TrafficRobot> seen = new HashSet<>();
-    for (TrafficRobot first : robots) {
+    for (TrafficRobot first : robots.values()) {
+      if (blockingRobot(first, robots) == null) {
+        continue; // it is in no cycle
+      }
       Map<TrafficRobot, Integer> chain = new LinkedHashMap<>();
       TrafficRobot at = first;
       while (at != null && seen.add(at)) {
         chain.put(at, chain.size());
-        at = blockingRobot(at, byName);
+        at = blockingRobot(at, robots);
       }
       Integer begin = at == null ? null : chain.get(at);
       if (begin != null) {
@@ -112,9 +115,9 @@ final class StandstillDetector {
   }
 
   private static @Nullable TrafficRobot blockingRobot(
-      TrafficRobot robot, Map<String, TrafficRobot> byName) {
+      TrafficRobot robot, Map<String, TrafficRobot> robots) {
     WaitReason reason = robot.drive.isDriving() ? null : robot.waitReason();
     String other = reason == null ? null : reason.robot();
-    return other == null ? null : byName.get(other);
+    return other == null ? null : robots.get(other);
   }
 }

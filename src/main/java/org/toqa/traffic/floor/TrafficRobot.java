@@ -359,10 +359,15 @@ final class TrafficRobot {
 
   private boolean isAtGoalPoint(Vec2 point) {
     Vec2 wanted = Objects.requireNonNull(goal);
+    double cell = grid.resolution();
+    if (Math.abs(point.x() - wanted.x()) > cell + ARRIVED
+        || Math.abs(point.y() - wanted.y()) > cell + ARRIVED) {
+      return false; // as for most, which saves the distances
+    }
     boolean fillsCell = LaneGrid.side(grid, 2 * radius) == 1;
     double aside = point.distanceTo(grid.centre(grid.cellAt(wanted)));
     return point.distanceTo(wanted) < ARRIVED
-        || (fillsCell && aside < Math.max(ARRIVED, NEAR * grid.resolution()));
+        || (fillsCell && aside < Math.max(ARRIVED, NEAR * cell));
   }
 
   @Nullable Cell goalCell() {
@@ -455,16 +460,20 @@ final class TrafficRobot {
     drive.resume(completedSegments, now);
   }
 
-  /** What the robot does not know yet of its path, if anything; counts as told from now on. */
-  List<DriveCommand> takeUnsentCommands() {
+  /**
+   * What the robot does not know yet of its path, if anything; counts as told from now on.
+   *
+   * @param commands get that too
+   */
+  void takeUnsentCommands(List<DriveCommand> commands) {
     ReservedPath path = drive.path();
     if (path == null || !movable) {
-      return List.of();
+      return;
     }
-    boolean endsAtGoal = goal == null || isGoal(path.end());
-    List<DriveCommand> commands = new ArrayList<>();
-    drive.takeUnsentCommand(name, endsAtGoal).ifPresent(commands::add);
+    if (drive.hasChanged()) {
+      boolean endsAtGoal = goal == null || isGoal(path.end());
+      drive.takeUnsentCommand(name, endsAtGoal).ifPresent(commands::add);
+    }
     drive.takeUnsentRoom(name).ifPresent(commands::add); // what is beside it is released before
-    return commands;
   }
 }

@@ -3,6 +3,7 @@ package org.toqa.traffic.floor;
 import java.util.HashMap;
 import java.util.LinkedHashSet;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Optional;
 import org.jspecify.annotations.Nullable;
 import org.toqa.wording.Phrase;
@@ -16,14 +17,30 @@ final class WaitChains {
    */
   private final Map<String, Optional<String>> ends = new HashMap<>();
 
+  /** By robot, what was said last; kept, since most is the same from tick to tick. */
+  private final Map<String, Told> told = new HashMap<>();
+
+  private record Told(WaitReason reason, @Nullable String blocking, Sentence sentence) {
+    @SuppressWarnings("ReferenceEquality") // a robot keeps its reason while that stays the same
+    boolean isOf(WaitReason otherReason, @Nullable String otherBlocking) {
+      return reason == otherReason && Objects.equals(blocking, otherBlocking);
+    }
+  }
+
   /**
-   * Looks at each robot once.
+   * Looks at each robot that waits once, and at each that others wait for.
    *
    * @param robots all, by name
    */
   void update(Map<String, TrafficRobot> robots) {
     ends.clear();
+    if (told.size() > robots.size()) {
+      told.keySet().retainAll(robots.keySet());
+    }
     for (TrafficRobot first : robots.values()) {
+      if (next(first, robots) == null) {
+        continue; // it is the end of its own chain, and of those that come to it
+      }
       LinkedHashSet<TrafficRobot> chain = new LinkedHashSet<>();
       TrafficRobot at = first;
       while (at != null && !ends.containsKey(at.name) && chain.add(at)) {
@@ -48,10 +65,19 @@ final class WaitChains {
     if (reason == null) {
       return null;
     }
-    return blockingRobot(robot)
-        .filter(blocking -> !blocking.equals(reason.robot()))
-        .map(blocking -> Phrase.WAITS_BEHIND.with(reason.sentence(), blocking))
-        .orElseGet(reason::sentence);
+    String blocking =
+        blockingRobot(robot).filter(other -> !other.equals(reason.robot())).orElse(null);
+    Told known = told.get(robot.name);
+    if (known == null || !known.isOf(reason, blocking)) {
+      Sentence sentence = reason.sentence();
+      known =
+          new Told(
+              reason,
+              blocking,
+              blocking == null ? sentence : Phrase.WAITS_BEHIND.with(sentence, blocking));
+      told.put(robot.name, known);
+    }
+    return known.sentence();
   }
 
   private static boolean stays(TrafficRobot robot) {

@@ -3,6 +3,7 @@ package org.toqa.traffic.floor;
 import java.time.Duration;
 import java.time.Instant;
 import java.util.List;
+import java.util.Objects;
 import org.jspecify.annotations.Nullable;
 import org.toqa.geometry.Vec2;
 
@@ -50,7 +51,13 @@ final class WaitState {
     copy.lastSinglePlan = lastSinglePlan;
     copy.place = place;
     copy.standingSince = standingSince;
-    copy.adopt(findings());
+    copy.noPathReason = noPathReason;
+    copy.noPathReasonFound = noPathReasonFound;
+    copy.goalTakenBy = goalTakenBy;
+    copy.wanted = wanted;
+    if (isSinglePlanLeft) {
+      copy.lastSinglePlan = Instant.MIN;
+    }
     return copy;
   }
 
@@ -192,8 +199,11 @@ final class WaitState {
     lastSinglePlan = Instant.MIN;
   }
 
+  /** The same again leaves what is known, so that its sentence need not be made anew. */
   void setBlockedReason(@Nullable WaitReason reason) {
-    blockedReason = reason;
+    if (!Objects.equals(blockedReason, reason)) {
+      blockedReason = reason;
+    }
   }
 
   /** Since when it is stopped before the section: from now on, if it did not before. */
