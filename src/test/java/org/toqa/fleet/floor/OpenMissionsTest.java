@@ -1,6 +1,7 @@
 package org.toqa.fleet.floor;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.time.Instant;
@@ -12,6 +13,7 @@ import java.util.Optional;
 import java.util.SplittableRandom;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
+import org.toqa.fleet.TaskView;
 import org.toqa.geometry.Vec2;
 import org.toqa.mission.AssignedRobot;
 import org.toqa.mission.Mission;
@@ -19,6 +21,7 @@ import org.toqa.mission.Phase;
 import org.toqa.mission.TaskPlace;
 import org.toqa.mission.TaskState;
 import org.toqa.mission.TransportTask;
+import org.toqa.wording.Sentence;
 
 class OpenMissionsTest {
   private static final Instant AT = Instant.EPOCH;
@@ -55,6 +58,19 @@ class OpenMissionsTest {
       }
     }
     assertTrue(found > 1_000 && found < 19_000, "found " + found); // neither never nor always
+  }
+
+  /** Most tasks look as they did a tick before. */
+  @Test
+  void aMissionLooksTheSameUntilItWaitsForAnother() {
+    Mission mission = randomMission(7, new SplittableRandom(1));
+    OpenMissions.DatedMission dated = new OpenMissions.DatedMission(mission, AT);
+    Sentence waits = Sentence.verbatim("for a door");
+    TaskView first = dated.view(waits);
+    assertEquals(TaskView.of(mission, waits, AT), first);
+    assertSame(first, dated.view(Sentence.verbatim("for a door")));
+    assertEquals(TaskView.of(mission, null, AT), dated.view(null));
+    assertEquals(first, dated.view(waits));
   }
 
   private static void update(Map<Long, Mission> missions, Mission mission, boolean isOver) {

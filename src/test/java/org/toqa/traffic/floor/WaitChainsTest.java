@@ -1,6 +1,7 @@
 package org.toqa.traffic.floor;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertSame;
 
 import java.time.Instant;
 import java.util.Map;
@@ -10,6 +11,7 @@ import org.junit.jupiter.api.Test;
 import org.toqa.geometry.Pose;
 import org.toqa.geometry.Vec2;
 import org.toqa.grid.OccupancyGrid;
+import org.toqa.wording.Sentence;
 
 class WaitChainsTest {
   private final OccupancyGrid grid = DrivenFloor.draw("....");
@@ -46,6 +48,27 @@ class WaitChainsTest {
     chains.update(robots);
     assertEquals(Optional.empty(), blocking("a"));
     assertEquals(Optional.empty(), blocking("b"));
+  }
+
+  /** Most waits are the same from tick to tick. */
+  @Test
+  void aSentenceIsMadeAnewWhereTheReasonOrTheLastBecomesAnother() {
+    wait("a", "b");
+    wait("b", "c");
+    add("c").setMovable(false);
+    add("d").setMovable(false);
+    chains.update(robots);
+    Sentence said = chains.sentence(add("a"));
+    wait("a", "b");
+    chains.update(robots);
+    assertSame(said, chains.sentence(add("a")));
+
+    wait("b", "d");
+    chains.update(robots);
+    assertEquals("Waiting for b to pass at (1.00, 2.00), behind d", sentence("a"));
+    wait("a", "d");
+    chains.update(robots);
+    assertEquals("Waiting for d to pass at (1.00, 2.00)", sentence("a"));
   }
 
   private Optional<String> blocking(String robot) {
