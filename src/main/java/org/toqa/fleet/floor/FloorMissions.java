@@ -239,6 +239,9 @@ final class FloorMissions {
 
   /** Which loads do not count for which robots, as these stand now. */
   void updatePassableLoads() {
+    if (!state.leftLoads.concernRobots()) {
+      return;
+    }
     state.leftLoads.keepRobots(state.robots.keySet());
     for (String robot : state.robots.keySet()) {
       if (state.traffic.hasRobot(robot)) {

@@ -105,6 +105,11 @@ final class LeftLoads {
     boxes = next;
   }
 
+  /** Whether any lie there, or robots are still said to go over some. */
+  boolean concernRobots() {
+    return !isNone() || !passable.isEmpty();
+  }
+
   private boolean isNone() {
     return loads.isEmpty() && boxes.isEmpty();
   }
@@ -172,9 +177,6 @@ final class LeftLoads {
    * @param fetching for which it fetches a load; null: it fetches none
    */
   void updatePassable(String robot, @Nullable Mission fetching, FloorTraffic traffic) {
-    if (isNone() && passable.isEmpty()) {
-      return;
-    }
     BitSet before = passable.getOrDefault(robot, NO_CELLS);
     BitSet now = new BitSet();
     for (Lying load : all().toList()) {

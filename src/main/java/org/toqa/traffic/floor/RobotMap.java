@@ -1,12 +1,18 @@
 package org.toqa.traffic.floor;
 
+import java.util.AbstractCollection;
 import java.util.AbstractMap;
+import java.util.ArrayList;
 import java.util.Collection;
 import java.util.Collections;
 import java.util.HashMap;
+import java.util.Iterator;
+import java.util.List;
 import java.util.Map;
 import java.util.Set;
+import java.util.Spliterator;
 import java.util.TreeMap;
+import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -16,6 +22,43 @@ import org.jspecify.annotations.Nullable;
 public final class RobotMap<V> extends AbstractMap<String, V> {
   private final Map<String, V> inOrder = new TreeMap<>();
   private final Map<String, V> byHash = new HashMap<>();
+
+  /** The values in that order; null: not asked for since one came or went. */
+  private @Nullable List<V> listed;
+
+  private final Collection<V> values = new Values();
+
+  /** Shows what is there at any time; who goes through them has those that were there then. */
+  private final class Values extends AbstractCollection<V> {
+    @Override
+    public Iterator<V> iterator() {
+      return list().iterator();
+    }
+
+    @Override
+    public Spliterator<V> spliterator() {
+      return list().spliterator();
+    }
+
+    @Override
+    public void forEach(Consumer<? super V> action) {
+      list().forEach(action);
+    }
+
+    @Override
+    public int size() {
+      return byHash.size();
+    }
+  }
+
+  private List<V> list() {
+    List<V> known = listed;
+    if (known == null) {
+      known = Collections.unmodifiableList(new ArrayList<>(inOrder.values()));
+      listed = known;
+    }
+    return known;
+  }
 
   @Override
   public @Nullable V get(Object name) {
@@ -30,12 +73,14 @@ public final class RobotMap<V> extends AbstractMap<String, V> {
   @Override
   public @Nullable V put(String name, V value) {
     inOrder.put(name, value);
+    listed = null;
     return byHash.put(name, value);
   }
 
   @Override
   public @Nullable V remove(Object name) {
     inOrder.remove(name);
+    listed = null;
     return byHash.remove(name);
   }
 
@@ -46,7 +91,7 @@ public final class RobotMap<V> extends AbstractMap<String, V> {
 
   @Override
   public Collection<V> values() {
-    return Collections.unmodifiableCollection(inOrder.values());
+    return values;
   }
 
   @Override
