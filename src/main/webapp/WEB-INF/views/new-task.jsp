@@ -117,19 +117,12 @@
           </div>
         </details>
       </c:if>
-      <c:if test="${not empty robots or not empty paramValues.onlyRobots}">
-        <details class="only-robots" ${not empty paramValues.onlyRobots or not empty errors.onlyRobots ? 'open' : ''}>
+      <c:if test="${not empty robots or not empty chosenRobots}">
+        <details class="only-robots" ${not empty chosenRobots or not empty errors.onlyRobots ? 'open' : ''}>
           <summary><fmt:message key="newTask.onlyRobots"/></summary>
           <fieldset class="choice only" aria-describedby="onlyRobots-help" ${empty errors.onlyRobots ? '' : 'aria-invalid="true"'}>
             <legend class="faint"><fmt:message key="newTask.onlyRobots.legend"/></legend>
-            <c:forEach items="${robots}" var="robot">
-              <c:set var="chosen" value="${false}"/>
-              <c:forEach items="${paramValues.onlyRobots}" var="given"><c:if test="${given == robot}"><c:set var="chosen" value="${true}"/></c:if></c:forEach>
-              <label><input type="checkbox" name="onlyRobots" value="${fn:escapeXml(robot)}" ${chosen ? 'checked' : ''}> <bdi><c:out value="${robot}"/></bdi></label>
-            </c:forEach>
-            <c:forEach items="${paramValues.onlyRobots}" var="given">
-              <c:if test="${not robots.contains(given)}"><label><input type="checkbox" name="onlyRobots" value="${fn:escapeXml(given)}" checked> <bdi><c:out value="${given}"/></bdi></label></c:if>
-            </c:forEach>
+            <t:robot-choice name="onlyRobots" chosen="${chosenRobots}"/>
           </fieldset>
           <small id="onlyRobots-help"><c:choose><c:when test="${not empty errors.onlyRobots}"><bdi class="wrong"><c:out value="${errors.onlyRobots}"/></bdi></c:when><c:otherwise><fmt:message key="newTask.onlyRobots.hint"/></c:otherwise></c:choose></small>
         </details>

@@ -44,8 +44,7 @@
           <c:when test="${one.kind() == 'ROBOTS'}">
             <fieldset class="choice only" data-robots="${fn:escapeXml(one.name())}" aria-describedby="open${at.index}-help" ${wrong}>
               <legend><bdi><c:out value="${one.name()}"/></bdi></legend>
-              <c:forEach items="${robots}" var="robot"><label><input type="checkbox" name="${fn:escapeXml(one.field())}" value="${fn:escapeXml(robot)}" ${one.robots().contains(robot) ? 'checked' : ''}> <bdi><c:out value="${robot}"/></bdi></label></c:forEach>
-              <c:forEach items="${one.robots()}" var="robot"><c:if test="${not robots.contains(robot)}"><label><input type="checkbox" name="${fn:escapeXml(one.field())}" value="${fn:escapeXml(robot)}" checked> <bdi><c:out value="${robot}"/></bdi></label></c:if></c:forEach>
+              <t:robot-choice name="${one.field()}" chosen="${one.robots()}"/>
               <small id="open${at.index}-help" class="wrong"><bdi><c:out value="${error}"/></bdi></small>
             </fieldset>
           </c:when>

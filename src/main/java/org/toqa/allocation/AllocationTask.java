@@ -6,6 +6,7 @@ import java.util.Comparator;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
 import org.toqa.geometry.Vec2;
+import org.toqa.wording.Sentence;
 
 /**
  * A transport task as an allocator sees it.
@@ -19,6 +20,7 @@ import org.toqa.geometry.Vec2;
  * @param onlyRobots names of those that may carry it; empty: whichever there are
  * @param via where it goes between start and goal, in order, metres, map frame
  * @param isForOne whether only one robot may carry it, since it charges on its way
+ * @param choice what those that alone may carry it are called; null: by their names
  */
 public record AllocationTask(
     long id,
@@ -29,7 +31,8 @@ public record AllocationTask(
     boolean isForOmnidirectional,
     List<String> onlyRobots,
     List<Vec2> via,
-    boolean isForOne) {
+    boolean isForOne,
+    @Nullable Sentence choice) {
 
   public AllocationTask {
     onlyRobots = List.copyOf(onlyRobots);
@@ -37,13 +40,27 @@ public record AllocationTask(
   }
 
   public AllocationTask(long id, double load, Vec2 start, Vec2 goal, Instant waitsFrom) {
-    this(id, load, start, goal, waitsFrom, false, List.of(), List.of(), false);
+    this(id, load, start, goal, waitsFrom, false, List.of(), List.of(), false, null);
   }
 
   /** The same, that only these robots may carry; empty: whichever there are. */
   public AllocationTask withOnlyRobots(List<String> robots) {
+    return withOnlyRobots(robots, null);
+  }
+
+  /**
+   * The same, that only these robots may carry.
+   *
+   * @param called what they are called; null: by their names
+   */
+  public AllocationTask withOnlyRobots(List<String> robots, @Nullable Sentence called) {
     return new AllocationTask(
-        id, load, start, goal, waitsFrom, isForOmnidirectional, robots, via, isForOne);
+        id, load, start, goal, waitsFrom, isForOmnidirectional, robots, via, isForOne, called);
+  }
+
+  /** What those are called that alone may carry it. */
+  Sentence chosen() {
+    return choice == null ? Sentence.names(onlyRobots) : choice;
   }
 
   /**
@@ -53,7 +70,7 @@ public record AllocationTask(
    */
   public AllocationTask withStops(List<Vec2> between, boolean one) {
     return new AllocationTask(
-        id, load, start, goal, waitsFrom, isForOmnidirectional, onlyRobots, between, one);
+        id, load, start, goal, waitsFrom, isForOmnidirectional, onlyRobots, between, one, choice);
   }
 
   /** Whether a robot only goes there, with nothing to carry. */
@@ -106,12 +123,14 @@ public record AllocationTask(
         isForOmnidirectional,
         onlyRobots,
         via,
-        isForOne);
+        isForOne,
+        choice);
   }
 
   /** The same, that no team with a robot may have that cannot go sideways. */
   public AllocationTask forOmnidirectional() {
-    return new AllocationTask(id, load, start, goal, waitsFrom, true, onlyRobots, via, isForOne);
+    return new AllocationTask(
+        id, load, start, goal, waitsFrom, true, onlyRobots, via, isForOne, choice);
   }
 
   /** Whether the robot may be one of several. */

@@ -59,7 +59,7 @@ public final class WaitExplainer {
   /** Where only some robots may have it: who they are, and what keeps them. */
   private Sentence reasonOfChosen(AllocationTask task) {
     List<Candidate> chosen = allowed(task);
-    Sentence names = Sentence.names(task.onlyRobots());
+    Sentence names = task.chosen();
     if (chosen.isEmpty()) {
       return Phrase.CHOSEN_ARE_NOT_HERE.with(names);
     }

@@ -71,6 +71,70 @@ class ArmFleetTest extends HallFleetTest {
     return submit(order(1, HANDLING));
   }
 
+  private static TaskOrder only(double load, String... robots) {
+    TaskOrder order = order(load, null);
+    return new TaskOrder(
+        "box", load, order.start(), order.goal(), null, 0, null, null, List.of(robots), List.of());
+  }
+
+  @Test
+  void aTaskForRobotsWithAnArmWaitsForThoseAlone() throws Exception {
+    accepted(stage.fleet.takeOutOfService("r1", "Max"));
+    until(view -> robot(view, "r1").state() == RobotState.OUT_OF_SERVICE);
+
+    long task = submit(only(1, "with:arm"));
+
+    until(
+        view ->
+            "Only robots with an arm (here r1) may do this, and it is out of service."
+                .equals(waitReason(view, task)));
+    long next = submit(only(1, "with:arm"));
+    accepted(stage.fleet.putInService("r1", "Max"));
+    until(
+        view ->
+            ("Only robots with an arm (here r1) may do this, and it is working on task "
+                    + task
+                    + ".")
+                .equals(waitReason(view, next)));
+    until(view -> task(view, next).state() == TaskState.DONE);
+    assertEquals(List.of("r1"), task(stage.fleet.snapshots().latest(), next).robots());
+    assertEquals(List.of("with:arm"), stage.store.task(task).orElseThrow().task().onlyRobots());
+  }
+
+  @Test
+  void theLastRobotWithAnArmGoesAndTheTaskNeedsAttention() throws Exception {
+    accepted(stage.fleet.takeOutOfService("r1", "Max"));
+    long task = submit(only(1, "with:arm"));
+
+    accepted(stage.fleet.removeRobot("r1", "Max"));
+
+    until(view -> task(view, task).blocked());
+    assertEquals(
+        "Only robots with an arm may do this, and there is no such robot on this floor. Order it"
+            + " anew for others, or cancel it.",
+        waitReason(stage.fleet.snapshots().latest(), task));
+  }
+
+  @Test
+  void whatTheRobotsWithAnArmCannotCarryIsRefused() throws Exception {
+    Answer<TaskView> answer = answer(stage.fleet.submit(only(6, "with:arm"), "Clara"));
+
+    assertEquals(
+        "The load weighs 6 kg; robots with an arm can carry 5 kg. Allow more or stronger robots, or"
+            + " split the load.",
+        assertInstanceOf(Answer.Rejected.class, answer).sentence().english());
+  }
+
+  @Test
+  void oneOfSeveralAbilitiesIsEnough() throws Exception {
+    accepted(stage.fleet.takeOutOfService("r1", "Max"));
+    until(view -> robot(view, "r1").state() == RobotState.OUT_OF_SERVICE);
+
+    long task = submit(only(1, "with:arm", "r2"));
+
+    until(view -> task(view, task).robots().equals(List.of("r2")));
+  }
+
   private Act awaitAct(ArmAction action) throws InterruptedException {
     until(
         _ ->

@@ -94,6 +94,16 @@ class FleetQueueTest extends HallFleetTest {
         waitReason(stage.fleet.snapshots().latest(), task));
   }
 
+  @Test
+  void anAbilityThatNoRobotHasIsRefused() throws Exception {
+    until(view -> robot(view, "r1").state() == RobotState.IDLE);
+
+    assertEquals(
+        "Only robots with an arm may do this, and none that has ever been connected is on this"
+            + " floor. Choose other robots, or connect such a robot.",
+        refusal(only(1, "with:arm")));
+  }
+
   private static TaskOrder only(double load, String... robots) {
     TaskOrder order = order(load);
     return new TaskOrder(

@@ -150,11 +150,14 @@ final class AllocationRounds {
                             queued.task(),
                             queued.task().onlyRobots().isEmpty()
                                 ? ofAll
-                                : Strongest.of(robotsHere, given, queued.task()::allows)),
+                                : Strongest.of(
+                                    robotsHere,
+                                    given,
+                                    state.chosen().named(queued.task())::allows)),
                 DispatchState.TASKS_CONSIDERED)
             .stream()
             .map(rooms::restricted)
-            .map(this::restrictedByArms)
+            .map(this::restricted)
             .toList();
     if (jobs.isEmpty()) {
       reasons.clear();
@@ -257,26 +260,30 @@ final class AllocationRounds {
   /** Whether no robot is known whose arm reaches what the task asks: none is asked then. */
   private boolean isWithoutArm(TransportTask task) {
     return task.arm() != null
-        && ArmReach.of(state.robotsHere()).able(task, task.arm()).stream().noneMatch(task::allows);
+        && ArmReach.of(state.robotsHere()).able(task, task.arm()).stream()
+            .noneMatch(state.chosen().named(task)::allows);
   }
 
-  /** Where an arm picks the load up, only robots whose arms can have the task. */
-  AllocationTask restrictedByArms(AllocationTask job) {
+  private AllocationTask restricted(AllocationTask job) {
     return state
         .queue
         .get(job.id())
         .map(TaskQueue.Queued::task)
-        .map(task -> restrictedByArms(job, task))
+        .map(task -> restricted(job, task))
         .orElse(job);
   }
 
-  AllocationTask restrictedByArms(AllocationTask job, TransportTask task) {
+  /**
+   * For the robots that were chosen, by their names; where an arm picks the load up, only those
+   * whose arms can.
+   */
+  AllocationTask restricted(AllocationTask job, TransportTask task) {
     ArmHandling arm = task.arm();
     return arm == null
-        ? job
+        ? state.chosen().named(job)
         : job.withOnlyRobots(
                 ArmReach.of(state.robotsHere()).able(task, arm).stream()
-                    .filter(task::allows)
+                    .filter(state.chosen().named(task)::allows)
                     .sorted()
                     .toList())
             .withStops(job.via(), true);
@@ -419,7 +426,7 @@ final class AllocationRounds {
     return !queued.mission().held()
         && (state.legs.isStopped(queued.task())
             || rooms.isWithoutRoom(queued.task().id())
-            || (plain != null && plain.isImpossible(queued.job())));
+            || (plain != null && plain.isImpossible(state.chosen().named(queued.job()))));
   }
 
   /** What the last round said; of a task that it did not look at, what is plain without one. */
@@ -436,8 +443,9 @@ final class AllocationRounds {
     if (said != null) {
       return said;
     }
-    return plain == null || plain.hasFreeRobot(queued.job())
+    AllocationTask job = state.chosen().named(queued.job());
+    return plain == null || plain.hasFreeRobot(job)
         ? DispatchState.LOOKING_FOR_ROBOT
-        : plain.reason(queued.job());
+        : plain.reason(job);
   }
 }

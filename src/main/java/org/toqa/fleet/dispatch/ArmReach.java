@@ -26,9 +26,6 @@ import org.toqa.wording.Sentence;
  */
 record ArmReach(List<Armed> robots) {
 
-  /** Of a floor that nothing is known of. */
-  static final ArmReach NONE = new ArmReach(List.of());
-
   /**
    * @param maxLoad kilograms that robot and arm carry
    */

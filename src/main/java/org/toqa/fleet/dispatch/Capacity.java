@@ -6,6 +6,7 @@ import java.util.Map;
 import java.util.stream.Stream;
 import org.toqa.allocation.Candidate;
 import org.toqa.allocation.TeamSize;
+import org.toqa.fleet.RobotView;
 import org.toqa.mission.TransportTask;
 
 /**
@@ -13,24 +14,35 @@ import org.toqa.mission.TransportTask;
  *
  * @param total of all together, kilograms
  * @param robots those that were reported
- * @param arms those of the robots that have arms
  * @param maxLoads by name of each robot that was added to the floor, kilograms
+ * @param floor all its robots
  */
-record Capacity(double total, List<Candidate> robots, Map<String, Double> maxLoads, ArmReach arms) {
+record Capacity(
+    double total, List<Candidate> robots, Map<String, Double> maxLoads, List<RobotView> floor) {
 
-  /** Of robots without arms. */
+  /** Of robots of which nothing else is known. */
   Capacity(double total, List<Candidate> robots, Map<String, Double> maxLoads) {
-    this(total, robots, maxLoads, ArmReach.NONE);
+    this(total, robots, maxLoads, List.of());
+  }
+
+  /** Which of the robots' arms can do what. */
+  ArmReach arms() {
+    return ArmReach.of(floor);
+  }
+
+  /** Who is meant where a task allows some robots alone. */
+  ChosenRobots chosen() {
+    return new ChosenRobots(floor);
   }
 
   /** Whether the robots that may carry the task are strong enough, alone or together. */
   boolean isEnoughFor(TransportTask task) {
-    return isEnoughFor(task.load(), task.onlyRobots());
+    return isEnoughFor(task.load(), chosen().names(task.onlyRobots()));
   }
 
   /**
    * @param load kilograms
-   * @param onlyRobots that may carry it; empty: all
+   * @param onlyRobots names of those that may carry it; empty: all
    */
   boolean isEnoughFor(double load, List<String> onlyRobots) {
     if (onlyRobots.isEmpty()) {
@@ -54,12 +66,13 @@ record Capacity(double total, List<Candidate> robots, Map<String, Double> maxLoa
    * Empty where one robot carries it, or no team that there is.
    */
   List<List<Candidate>> narrowestTeams(TransportTask task) {
-    return narrowestTeams(task, robots);
+    return narrowestTeams(chosen().named(task), robots);
   }
 
   /**
    * The same of these.
    *
+   * @param task that names the robots which alone may carry it
    * @param robots of the task's floor
    */
   static List<List<Candidate>> narrowestTeams(TransportTask task, List<Candidate> robots) {

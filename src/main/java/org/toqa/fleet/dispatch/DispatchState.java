@@ -180,7 +180,7 @@ final class DispatchState {
     robotsHere().stream()
         .filter(RobotView::isLoadKnown)
         .forEach(robot -> maxLoads.computeIfPresent(robot.name(), (_, _) -> robot.maxLoad()));
-    return new Capacity(totalCapacity(), candidates(), maxLoads, ArmReach.of(robotsHere()));
+    return new Capacity(totalCapacity(), candidates(), maxLoads, robotsHere());
   }
 
   /** Whether the floor's agent has the task: it has robots, or its load lies there. */
@@ -203,6 +203,11 @@ final class DispatchState {
   List<TaskView> assignedTasks() {
     FloorEvent.FloorReport told = report;
     return told == null ? List.of() : told.missions();
+  }
+
+  /** Who is meant where a task allows some robots alone. */
+  ChosenRobots chosen() {
+    return new ChosenRobots(robotsHere());
   }
 
   List<Candidate> candidates() {

@@ -198,7 +198,7 @@ record ForecastPicture(
         task.id(),
         task.task().load(),
         visits(task),
-        task.task().onlyRobots(),
+        new ChosenRobots(robots).names(task.task().onlyRobots()),
         job.isForOne(),
         waiting.after(),
         rules.pace() * Duration.between(job.waitsFrom(), now).toMillis() / 1000,

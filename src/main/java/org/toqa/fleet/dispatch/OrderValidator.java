@@ -31,6 +31,7 @@ import org.toqa.grid.FloorMap;
 import org.toqa.grid.OccupancyGrid;
 import org.toqa.grid.Place;
 import org.toqa.mission.Mission;
+import org.toqa.mission.RobotAbility;
 import org.toqa.mission.TaskPlace;
 import org.toqa.mission.TransportTask;
 import org.toqa.mission.TransportTask.LoadSize;
@@ -187,7 +188,12 @@ final class OrderValidator {
 
   /** Of the robots that alone may carry it: whether they are there, and can. */
   private Optional<Sentence> objectionToChosen(TaskOrder order, Capacity capacity) {
-    List<String> chosen = order.onlyRobots();
+    List<String> chosen = capacity.chosen().names(order.onlyRobots());
+    Optional<RobotAbility> lacking =
+        chosen.stream().flatMap(word -> RobotAbility.of(word).stream()).findFirst();
+    if (lacking.isPresent()) {
+      return Optional.of(Phrase.NONE_IS_ABLE.with(lacking.get().robots()));
+    }
     Optional<String> unknown =
         chosen.stream().filter(robot -> !capacity.maxLoads().containsKey(robot)).findFirst();
     if (unknown.isPresent()) {
@@ -202,7 +208,7 @@ final class OrderValidator {
         ? Optional.empty()
         : Optional.of(
             Phrase.TOO_HEAVY_FOR_CHOSEN.with(
-                order.load(), Sentence.names(chosen), capacity.together(chosen)));
+                order.load(), ChosenRobots.words(order.onlyRobots()), capacity.together(chosen)));
   }
 
   /**

@@ -227,14 +227,12 @@ final class TaskCommandHandler {
     }
     AllocationProblem problem =
         rounds.problem(
-            List.of(
-                rounds.restrictedByArms(
-                    TaskQueue.job(task, task.start(), StopProgress.START), task)),
+            List.of(rounds.restricted(TaskQueue.job(task, task.start(), StopProgress.START), task)),
             List.of(),
             state.candidates());
     var _ =
         new TaskPreviewer(decider, paths, state.floor, request.check())
-            .preview(task, problem, state.now)
+            .preview(state.chosen().named(task), problem, state.now)
             .whenComplete(
                 (preview, failure) ->
                     request

@@ -42,7 +42,8 @@ final class TaskExchanges {
       if (isExchangeable(task) && isDrivingToLoad(task, byName.get(task.robots().getFirst()))) {
         given.add(
             new GivenTask(
-                TaskQueue.job(task.task(), task.object(), task.progress()),
+                new ChosenRobots(robots)
+                    .named(TaskQueue.job(task.task(), task.object(), task.progress())),
                 task.robots().getFirst()));
       }
     }

@@ -23,6 +23,7 @@ import org.toqa.fleet.TaskOrder;
 import org.toqa.link.http.RobotToken;
 import org.toqa.link.trust.Fingerprint;
 import org.toqa.link.trust.PairingCode;
+import org.toqa.mission.RobotAbility;
 import org.toqa.mission.TaskKind;
 import org.toqa.mission.TransportTask.LoadSize;
 import org.toqa.telemetry.Topics;
@@ -324,15 +325,19 @@ public final class InputRules {
     return given.intValue();
   }
 
-  /** Names of robots, each once; empty where none are given. */
+  /** Names of robots and what they can do, each once; empty where none are given. */
   public List<String> robotNames(String field, List<String> given) {
     List<String> names = given.stream().map(String::strip).distinct().toList();
     if (names.size() > TaskOrder.MAX_ONLY_ROBOTS) {
       refuse(field, "error.listLong", field, TaskOrder.MAX_ONLY_ROBOTS);
-    } else if (!names.stream().allMatch(name -> ROBOT_NAME.matcher(name).matches())) {
+    } else if (!names.stream().allMatch(InputRules::isRobotOrAbility)) {
       refuse(field, "error.robotNames");
     }
     return names;
+  }
+
+  private static boolean isRobotOrAbility(String word) {
+    return ROBOT_NAME.matcher(word).matches() || RobotAbility.of(word).isPresent();
   }
 
   public String host(String field, @Nullable String given) {

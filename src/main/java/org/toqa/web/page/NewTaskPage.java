@@ -225,6 +225,8 @@ public final class NewTaskPage extends PageHandler {
             .filter(robot -> robot.floor().equals(floor.name()))
             .toList();
     request.setAttribute("robots", robots.stream().map(RobotView::name).toList());
+    String[] chosen = request.getParameterValues("onlyRobots");
+    request.setAttribute("chosenRobots", chosen == null ? List.of() : List.of(chosen));
     request.setAttribute(
         "hasArms", robots.stream().anyMatch(robot -> robot.capabilities().arm() != null));
   }

@@ -76,6 +76,21 @@ class ApiTasksTest extends ApiTestServer {
   }
 
   @Test
+  void aTaskIsForRobotsThatCanDoSomething() {
+    HttpResponse<String> answer =
+        post(
+            token,
+            "api/v1/tasks",
+            GOOD_TASK.replaceFirst("\\{", "{\"onlyRobots\":[\"with:omni\",\"with:arm\"],"));
+
+    assertEquals(201, answer.statusCode(), answer.body());
+    JsonNode robots = JSON.readTree(answer.body()).get("onlyRobots");
+    assertEquals(
+        List.of("with:omni", "with:arm"),
+        robots.values().stream().map(JsonNode::stringValue).toList());
+  }
+
+  @Test
   void aTaskOfSeveralStopsSaysHowFarItIs() {
     String stops =
         "[{\"station\":\"Dock A\"},{\"x\":2,\"y\":1,\"waitForPerson\":true},"
@@ -221,7 +236,8 @@ class ApiTasksTest extends ApiTestServer {
           {"name":"x","load":2,"start":{"station":"Dock A"},"goal":{"station":"Shelf 3"},"colour":"red"} | 422 | Unknown field “colour”. Allowed: template, kind, stops, name, load, start, goal, floor, priority, deadline, size, onlyRobots, arm.
           {"name":"x","load":2,"start":{"station":"Dock A","z":1},"goal":{"station":"Shelf 3"}} | 422 | Unknown field “start.z”. Allowed: station.
           {"name":"x","load":2,"start":{"station":"Dock A"},"goal":{"station":"Shelf 3"},"onlyRobots":"r1"} | 422 | “onlyRobots” must be a list of texts in brackets.
-          {"name":"x","load":2,"start":{"station":"Dock A"},"goal":{"station":"Shelf 3"},"onlyRobots":["r 1"]} | 422 | Name robots as the list of robots has them, such as r1 and r2.
+          {"name":"x","load":2,"start":{"station":"Dock A"},"goal":{"station":"Shelf 3"},"onlyRobots":["r 1"]} | 422 | Name robots as the list of robots has them, such as r1 and r2, or what they can do: with:arm, with:omni.
+          {"name":"x","load":2,"start":{"station":"Dock A"},"goal":{"station":"Shelf 3"},"onlyRobots":["with:wings"]} | 422 | Name robots as the list of robots has them, such as r1 and r2, or what they can do: with:arm, with:omni.
           {"name":"x","load":2,"start":{"station":"Dock A"},"stops":[{"station":"Dock A"},{"station":"Shelf 3"}]} | 422 | Either start and goal, or stops. The first stop is the start, the last one the goal.
           {"name":"x","load":2,"stops":[{"station":"Dock A"}]} | 422 | At least two stops, the start and a goal.
           {"name":"x","load":2,"stops":[{"station":"Dock A"},{"station":"Shelf 3","waitSeconds":0}]} | 422 | Robots wait a whole number of seconds, from 1 to 86400.

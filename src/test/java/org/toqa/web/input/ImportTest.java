@@ -278,6 +278,18 @@ class ImportTest {
   }
 
   @Test
+  void aLineIsForRobotsThatCanDoSomething() {
+    String header = "name,load,start,goal,onlyRobots\n";
+    HttpResponse<String> answer =
+        post("api/v1/tasks/import", header + "a,1,Dock A,Shelf 3,r1 with:arm; with:omni\n");
+
+    assertEquals(201, answer.statusCode(), answer.body());
+    assertEquals(
+        "[\"r1\",\"with:arm\",\"with:omni\"]",
+        JSON.readTree(answer.body()).get(0).get("onlyRobots").toString());
+  }
+
+  @Test
   void allFaultsOfALineAreToldAtOnce() {
     HttpResponse<String> answer =
         post(

@@ -63,6 +63,32 @@ class TaskPagesInBrowserTest extends PagesInBrowser {
   }
 
   @Test
+  void aTaskIsForRobotsWithAnArmInBothLanguages() {
+    Page page = loggedIn(WebTestServer.MANAGER, DESK, "tasks/new");
+    page.getByLabel("Task name").fill("Samples");
+    page.getByLabel("Load (kg)").fill("1");
+    page.selectOption("#startStation", "Dock A");
+    page.selectOption("#goalStation", "Shelf 3");
+    page.getByText("Only certain robots").click();
+    page.getByLabel("robots with an arm").check();
+    assertFits(page, "new-task-ability", DESK, PHONE);
+    page.getByRole(AriaRole.BUTTON, new Page.GetByRoleOptions().setName("Create task")).click();
+
+    assertThat(page.locator("h1")).hasText("Samples");
+    assertThat(page.locator("main")).containsText("robots with an arm");
+    assertThat(page.locator("a[href*='with:']")).hasCount(0);
+    page.navigate(page.url() + "/edit");
+    assertThat(page.getByLabel("robots with an arm")).isChecked();
+    assertThat(page.locator("input[value='with:omni']")).not().isChecked();
+    assertThat(page.locator("input[name=onlyRobots]")).hasCount(8); // with six robots
+    page.navigate(server.root() + "language/ar");
+    page.navigate(server.root() + "tasks/new");
+    page.locator("details.only-robots summary").click();
+    assertThat(page.getByLabel("الروبوتات ذات الذراع")).isVisible();
+    assertFits(page, "ar-new-task-ability", DESK, PHONE);
+  }
+
+  @Test
   void whenATaskIsExpectedIsToldOnItsPageInTheListAndBesideTheMap() {
     Page page = pageOfNewTask("2.5");
     String task = page.url();
