@@ -12,6 +12,9 @@ export class Floor {
   #walls;
   #wallColour = '';
   #outline;
+  #picture; // of the floor as it was drawn last
+  #pictured = ''; // what the picture shows
+  #drawn = ''; // what was drawn last
 
   constructor(map) {
     this.#map = map;
@@ -60,8 +63,36 @@ export class Floor {
     return {x: origin.x, y: origin.y, width: width * resolution, height: height * resolution};
   }
 
-  /** @param showsMargins whether with what robots keep from walls */
+  /**
+   * From the second frame on of a viewport that stays as it is, only a picture of it is copied.
+   *
+   * @param showsMargins whether with what robots keep from walls
+   */
   draw(context, viewport, colours, showsMargins = false) {
+    const {canvas} = context;
+    const now = [
+      viewport.x, viewport.y, viewport.scale, canvas.width, canvas.height, devicePixelRatio, showsMargins,
+      ...Object.values(colours),
+    ].join();
+    if (now !== this.#drawn) {
+      this.#drawn = now;
+      this.#drawAll(context, viewport, colours, showsMargins);
+      return;
+    }
+    if (now !== this.#pictured) {
+      this.#pictured = now;
+      this.#picture = new OffscreenCanvas(canvas.width, canvas.height);
+      const copy = this.#picture.getContext('2d');
+      copy.setTransform(context.getTransform());
+      this.#drawAll(copy, viewport, colours, showsMargins);
+    }
+    context.save();
+    context.resetTransform();
+    context.drawImage(this.#picture, 0, 0);
+    context.restore();
+  }
+
+  #drawAll(context, viewport, colours, showsMargins) {
     const {width, height, resolution} = this.#map;
     const {x, y} = this.bounds;
     const [left, top] = viewport.toScreen(x, y + height * resolution);

@@ -1,5 +1,8 @@
 const HEIGHT = 14; // pixels of a line of text
 
+const widths = new Map(); // pixels, by label and font
+const MAX_WIDTHS = 2_000;
+
 /** Sides of a sign, the better one first. */
 const BELOW = [1, -1];
 export const ABOVE = [-1, 1];
@@ -34,8 +37,7 @@ export class Labels {
    * @param sides where it stands, the better side first
    */
   draw(label, x, y, half, colour, sides = BELOW) {
-    this.#context.font = `600 12px ${this.#colours.font}`;
-    const width = this.#context.measureText(label).width;
+    const width = this.#widthOf(label);
     const free = sides
       .map((side) => (side > 0 ? y + half + 3 : y - half - 3 - HEIGHT))
       .map((top) => ({left: x - width / 2, right: x + width / 2, top, bottom: top + HEIGHT}))
@@ -44,6 +46,20 @@ export class Labels {
       this.#taken.push(free);
       drawLabel(this.#context, this.#colours, label, x, free.top, 'top', colour);
     }
+  }
+
+  #widthOf(label) {
+    const key = `${this.#colours.font} ${label}`;
+    let width = widths.get(key);
+    if (width === undefined) {
+      this.#context.font = `600 12px ${this.#colours.font}`;
+      width = this.#context.measureText(label).width;
+      if (widths.size >= MAX_WIDTHS) {
+        widths.clear();
+      }
+      widths.set(key, width);
+    }
+    return width;
   }
 }
 

@@ -30,6 +30,7 @@ class MapPage {
   #floor; // undefined until it is loaded
   #shownAt; // milliseconds since 1970, of the map of a replay; undefined: it is the one in force
   #isLoading = false;
+  #shownRobots = []; // of the floor; faint where the filter lets them not through
   #hasSnapshot = false;
   #state = new FleetState();
   #interpolator = new PoseInterpolator();
@@ -137,6 +138,9 @@ class MapPage {
   #showLive() {
     this.#canvas.requestFrame();
     this.#filter.update(this.#floor ? this.#robotsHere : this.#state.robots);
+    this.#shownRobots = this.#floor
+      ? this.#robotsHere.map((robot) => ({...robot, faint: !this.#filter.includes(robot)}))
+      : [];
     updateLiveLists(this.#state, this.#floor?.name, (robot) => this.#filter.includes(robot));
     this.#status.show();
   }
@@ -168,7 +172,7 @@ class MapPage {
     const tasks = this.#state.tasksOn(this.#floor.name);
     drawTasks(context, viewport, colours, tasks);
     drawBoxes(context, viewport, colours, view?.boxes ?? []);
-    const robots = this.#robotsHere.map((robot) => ({...robot, faint: !this.#filter.includes(robot)}));
+    const robots = this.#shownRobots;
     drawRobots(context, viewport, colours, robots, tasks, poseOf, view?.heldLoads);
     if (view) {
       drawAges(context, viewport, colours, this.#floor, view.seen, this.#state.time);

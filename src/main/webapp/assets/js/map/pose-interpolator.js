@@ -41,7 +41,12 @@ export class PoseInterpolator {
 
   /** Whether some robot is still shown short of its pose. */
   isMoving(now) {
-    return [...this.#transitions.values()].some(({begin, duration}) => now - begin < duration);
+    for (const {begin, duration} of this.#transitions.values()) {
+      if (now - begin < duration) {
+        return true;
+      }
+    }
+    return false;
   }
 
   #transition(name, pose, now) {

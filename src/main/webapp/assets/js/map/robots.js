@@ -4,6 +4,11 @@ import {armPoints, drawArm, onMap} from './arm.js';
 import {isOpen} from './fleet-state.js';
 
 const SMALLEST = 11; // pixels of a robot's radius
+const DOT = 5; // pixels of a robot's radius where many stand close
+const MANY = 100; // robots in view from which on they may be dots
+const CLOSE = 40; // pixels between two of them on average, below which they are
+const URGENT = new Set(['ERROR', 'NOT_LOCALISED', 'LOST']); // never dots
+const MARGIN = 80; // pixels beside the map from which a robot and its name reach into it
 const NOSE_ANGLE = 0.8; // radians from the heading at which the robot's disc ends and its nose begins
 const COLOURS = {}; // those of states are the legend's
 for (const {dataset: {state}} of document.querySelectorAll('.legend [data-state]')) {
@@ -12,10 +17,9 @@ for (const {dataset: {state}} of document.querySelectorAll('.legend [data-state]
 
 /** Draws loads that are not on a robot, and goals. */
 export function drawTasks(context, viewport, colours, tasks) {
-  for (const task of tasks.filter(isOpen)) {
-    if (task.state !== 'RETURNING') {
-      drawGoal(context, viewport, colours, task);
-    }
+  const open = tasks.filter(isOpen);
+  drawGoals(context, viewport, colours, open.filter(({state}) => state !== 'RETURNING'));
+  for (const task of open) {
     if (task.kind !== 'DRIVE' && (task.state !== 'CARRYING' || task.loadAt)) {
       const {x, y} = task.state === 'RETURNING'
         ? (task.arm?.place ?? task.goal)
@@ -57,20 +61,30 @@ export function replayedRobot(robot, pose, route, task) {
 }
 
 /**
+ * Where many stand close together, as dots in the colours of their states, without names, loads and paths; those that
+ * a person must see to in full.
+ *
  * @param poseOf answers the pose at which a robot is shown
  * @param heldLoads where robots hold the loads that several carry
  */
 export function drawRobots(context, viewport, colours, robots, tasks, poseOf, heldLoads = []) {
-  const seen = robots.map((robot) => [robot, poseOf(robot.name)]).filter(([, pose]) => pose);
-  for (const [robot, pose] of seen) {
+  const placed = robots.map((robot) => [robot, poseOf(robot.name)]).filter(([, pose]) => pose);
+  const inView = placed.filter(([, pose]) => isInView(viewport, pose));
+  const isCrowd = areClose(viewport, inView);
+  if (isCrowd) {
+    drawDots(context, viewport, colours, inView.filter(([robot]) => !URGENT.has(robot.state)));
+  }
+  const seen = isCrowd ? inView.filter(([robot]) => URGENT.has(robot.state)) : inView;
+  for (const [robot, pose] of isCrowd ? seen : placed) {
     drawRoute(context, viewport, colours, robot, pose);
   }
   for (const task of tasks.filter(({state, robots: team}) => state === 'CARRYING' && team.length > 1)) {
     const points = heldLoads.find((held) => held.task === task.id)?.points ?? [];
     drawGroup(context, viewport, colours, task, task.robots.map(poseOf).filter((pose) => pose), points);
   }
+  const carriedOf = new Map(tasks.filter(({state}) => state === 'CARRYING').map((task) => [task.id, task]));
   for (const [robot, pose] of seen) {
-    const carried = tasks.find((task) => task.id === robot.task && task.state === 'CARRYING');
+    const carried = carriedOf.get(robot.task);
     if (carried?.robots.length === 1) {
       const at = viewport.toScreen(...handOf(robot, pose));
       drawLoad(context, at, -pose.theta, loadHalf(viewport, carried, robot), colours);
@@ -81,6 +95,53 @@ export function drawRobots(context, viewport, colours, robots, tasks, poseOf, he
     context.globalAlpha = 1;
   }
   drawNames(context, viewport, colours, seen);
+}
+
+function isInView(viewport, {x, y}) {
+  const [left, top] = viewport.toScreen(x, y);
+  return left > -MARGIN && left < viewport.width + MARGIN && top > -MARGIN && top < viewport.height + MARGIN;
+}
+
+/** Whether robots are many, and on average closer to each other than that their letters could be told apart. */
+function areClose(viewport, inView) {
+  if (inView.length < MANY) {
+    return false;
+  }
+  const points = inView.map(([, {x, y}]) => [x, y]);
+  const extent = (side) => points.reduce(
+    ([least, most], point) => [Math.min(least, point[side]), Math.max(most, point[side])], [Infinity, -Infinity]);
+  const [width, height] = [0, 1].map((side) => extent(side)).map(([least, most]) => (most - least) * viewport.scale);
+  return width * height < inView.length * CLOSE ** 2;
+}
+
+/** Those in one state at once. */
+function drawDots(context, viewport, colours, seen) {
+  const groups = new Map();
+  for (const one of seen) {
+    const key = `${one[0].state} ${one[0].faint ?? false}`;
+    if (!groups.has(key)) {
+      groups.set(key, []);
+    }
+    groups.get(key).push(one);
+  }
+  context.lineWidth = 2;
+  for (const group of groups.values()) {
+    const [{state, faint}] = group[0];
+    const colour = colours[COLOURS[state]];
+    context.globalAlpha = faint ? 0.25 : 1;
+    context.beginPath();
+    for (const [, pose] of group) {
+      const [x, y] = viewport.toScreen(pose.x, pose.y);
+      context.moveTo(x + DOT, y);
+      context.arc(x, y, DOT, 0, 2 * Math.PI);
+    }
+    const isDisconnected = state === 'LOST' || state === 'CONNECTING';
+    context.strokeStyle = isDisconnected ? colour : colours['map-halo'];
+    context.stroke();
+    context.fillStyle = isDisconnected ? colours['map-free'] : colour;
+    context.fill();
+  }
+  context.globalAlpha = 1;
 }
 
 /**
@@ -112,6 +173,9 @@ function drawRoute(context, viewport, colours, robot, pose) {
     return;
   }
   const points = [pose, ...robot.route].map(({x, y}) => viewport.toScreen(x, y));
+  if (!reachesIntoView(viewport, points)) {
+    return;
+  }
   const line = (from, to) => {
     context.beginPath();
     points.slice(from, to).forEach(([x, y]) => context.lineTo(x, y));
@@ -119,16 +183,24 @@ function drawRoute(context, viewport, colours, robot, pose) {
   };
   context.strokeStyle = colours[COLOURS[robot.state]];
   context.lineJoin = 'round';
-  context.lineCap = 'round';
+  context.lineCap = 'butt'; // hundreds of dashes with round ends take several times longer
   context.globalAlpha = 0.55;
   context.lineWidth = 2;
-  context.setLineDash([3, 6]);
+  context.setLineDash([5, 4]);
   line(robot.released, points.length);
   context.setLineDash([]);
+  context.lineCap = 'round';
   context.globalAlpha = 0.75;
   context.lineWidth = 4;
   line(0, robot.released + 1);
   context.globalAlpha = 1;
+}
+
+/** Whether the box around these points and the map have something in common. */
+function reachesIntoView(viewport, points) {
+  const [xs, ys] = [0, 1].map((side) => points.map((point) => point[side]));
+  return Math.max(...xs) > 0 && Math.min(...xs) < viewport.width
+    && Math.max(...ys) > 0 && Math.min(...ys) < viewport.height;
 }
 
 /** Draws a robot as a disc with a nose that points ahead; its colour and its letter show its state. */
@@ -233,15 +305,20 @@ function drawLoad(context, [x, y], angle, [halfLength, halfWidth], colours) {
   context.restore();
 }
 
-function drawGoal(context, viewport, colours, task) {
-  const [x, y] = viewport.toScreen(task.goal.x, task.goal.y);
+/** All rings at once, and all dots in them. */
+function drawGoals(context, viewport, colours, tasks) {
+  const rings = new Path2D();
+  const dots = new Path2D();
+  for (const {goal} of tasks) {
+    const [x, y] = viewport.toScreen(goal.x, goal.y);
+    rings.moveTo(x + 9, y);
+    rings.arc(x, y, 9, 0, 2 * Math.PI);
+    dots.moveTo(x + 3, y);
+    dots.arc(x, y, 3, 0, 2 * Math.PI);
+  }
   context.strokeStyle = colours['map-goal'];
   context.fillStyle = colours['map-goal'];
   context.lineWidth = 2;
-  context.beginPath();
-  context.arc(x, y, 9, 0, 2 * Math.PI);
-  context.stroke();
-  context.beginPath();
-  context.arc(x, y, 3, 0, 2 * Math.PI);
-  context.fill();
+  context.stroke(rings);
+  context.fill(dots);
 }

@@ -1,6 +1,9 @@
 import {createElement, setText, updateList} from './elements.js';
 import {address} from './server.js';
 
+const WRITTEN = ['state', 'letter', 'title', 'side', 'sentence', 'fault'];
+const shown = new WeakMap(); // by the element, the entry that is written into it
+
 /**
  * Fills a list with entries that are links.
  *
@@ -23,7 +26,13 @@ function createEntry(href) {
   return createElement('li', '', link);
 }
 
-function fillEntry(item, {state, letter, title, side, sentence, fault}) {
+function fillEntry(item, entry) {
+  const before = shown.get(item);
+  if (before && WRITTEN.every((part) => before[part] === entry[part])) {
+    return; // hundreds of robots report ten times a second, and few of them anything that is written here
+  }
+  shown.set(item, entry);
+  const {state, letter, title, side, sentence, fault} = entry;
   const sign = item.querySelector('.letter');
   sign.dataset.state = state;
   setText(sign, letter);

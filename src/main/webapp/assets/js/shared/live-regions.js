@@ -157,7 +157,8 @@ function showLastReports(robots) {
 
 function showAlerts(alerts) {
   const place = document.getElementById('alerts');
-  if (place && place.innerText.trim() !== alerts.join('\n')) {
+  const shown = [...place?.children ?? []].map(({textContent}) => textContent.trim()); // innerText lays the page out
+  if (place && shown.join('\n') !== alerts.join('\n')) {
     place.replaceChildren(...alerts.map((alert) => {
       const line = document.createElement('p');
       line.className = 'notice bad';

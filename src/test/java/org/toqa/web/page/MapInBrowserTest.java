@@ -11,8 +11,10 @@ import com.microsoft.playwright.options.ColorScheme;
 import java.time.Instant;
 import java.util.List;
 import java.util.Map;
+import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import org.toqa.fleet.FloorView;
+import org.toqa.fleet.RobotState;
 import org.toqa.fleet.RobotView;
 import org.toqa.geometry.Pose;
 import org.toqa.geometry.Vec2;
@@ -37,6 +39,55 @@ class MapInBrowserTest extends PagesInBrowser {
     move("r1", new Pose(5, 4.6, 0));
 
     await(page, () -> !pictureOf(page).equals(before));
+  }
+
+  @Test
+  void aCrowdIsDotsButForThoseThatAPersonMustSeeTo() {
+    server
+        .fleet()
+        .changeRobots(
+            before ->
+                IntStream.range(0, 160)
+                    .mapToObj(
+                        i ->
+                            robot(
+                                "r" + i,
+                                i == 7 ? RobotState.ERROR : RobotState.IDLE,
+                                new Pose(5 + 0.15 * (i % 16), 2.3 + 0.15 * (i / 16), 0)))
+                    .toList());
+    Page page = openPage(new Browser.NewContextOptions().setViewportSize(1280, 900));
+    page.addInitScript(
+        """
+        window.drawn = new Set();
+        const prototype = CanvasRenderingContext2D.prototype;
+        const {clearRect, fillText} = prototype;
+        prototype.clearRect = function (...box) {
+          window.drawn = new Set();
+          clearRect.apply(this, box);
+        };
+        prototype.fillText = function (words, x, y) {
+          window.drawn.add(words.replace(/[\u2068\u2069]/g, ''));
+          fillText.call(this, words, x, y);
+        };
+        """);
+    page.navigate(server.root().toString());
+    logIn(page, WebTestServer.MANAGER);
+    await(page, () -> (Boolean) page.evaluate("window.drawn.has('r7')"));
+    assertEquals(
+        List.of("r7"), page.evaluate("[...window.drawn].filter((words) => /^r\\d+$/.test(words))"));
+    assertFits(page, "map-crowd", DESK, PHONE);
+
+    DESK.show(page);
+    for (int i = 0; i < 6; i++) {
+      page.locator("#zoom-in").click();
+    }
+    await(
+        page,
+        () ->
+            (Integer)
+                    page.evaluate(
+                        "[...window.drawn].filter((words) => /^r\\d+$/.test(words)).length")
+                > 1);
   }
 
   @Test
