@@ -14,7 +14,8 @@ import org.slf4j.LoggerFactory;
 /**
  * The one clock of a simulated world. It goes in steps of 20 ms: in each step every participant
  * that is due has its tick, in the order in which they were added, and only then does time go on.
- * So a slow machine slows the world and trips no timer of it.
+ * So a slow machine slows the world and trips no timer of it. Who is never ready cannot hold it up
+ * for good: after half a minute it goes on without waiting for that one, see {@link Inhabitant}.
  *
  * <p>Either {@link #start} lets it run by itself, so many times faster than real time as the
  * machine can keep up with, or a test moves it by {@link #advance}.
@@ -39,7 +40,8 @@ public final class VirtualClock implements InstantSource, AutoCloseable {
 
   private final Instant epoch;
   private final double speed;
-  private final List<Registration> registrations = new CopyOnWriteArrayList<>();
+  private final long maxHoldNanos;
+  private final List<Inhabitant> inhabitants = new CopyOnWriteArrayList<>();
   private final Object step = new Object();
   private final Thread thread;
   private volatile long nanos;
@@ -50,23 +52,25 @@ public final class VirtualClock implements InstantSource, AutoCloseable {
   /** Of real time: when the last step was done. */
   private volatile long steppedAt;
 
-  private record Registration(Participant participant, long period) {
-    boolean isDue(long nanos) {
-      return nanos % period == 0;
-    }
-  }
-
   /**
    * @param epoch the world's time at its start
    * @param speed how many times faster than real time it goes
    * @throws IllegalArgumentException if that is not above 0 and finite
    */
   public VirtualClock(Instant epoch, double speed) {
+    this(epoch, speed, MAX_HOLD);
+  }
+
+  /**
+   * @param maxHold of real time, for which participants may block the world without a pause
+   */
+  VirtualClock(Instant epoch, double speed, Duration maxHold) {
     if (!(speed > 0) || Double.isInfinite(speed)) {
       throw new IllegalArgumentException("The speed must be positive, not " + speed + ".");
     }
     this.epoch = epoch;
     this.speed = speed;
+    this.maxHoldNanos = maxHold.toNanos();
     thread = Thread.ofPlatform().name("virtual-clock").daemon().unstarted(this::run);
   }
 
@@ -90,13 +94,13 @@ public final class VirtualClock implements InstantSource, AutoCloseable {
     if (period.toNanos() <= 0 || period.toNanos() % STEP.toNanos() != 0) {
       throw new IllegalArgumentException("The period " + period + " is no multiple of " + STEP);
     }
-    registrations.add(new Registration(participant, period.toNanos()));
+    inhabitants.add(new Inhabitant(participant, period.toNanos()));
   }
 
   /** When this returns, the participant has no running tick and will have none. */
   public void remove(Participant participant) {
     synchronized (step) {
-      registrations.removeIf(seat -> seat.participant() == participant);
+      inhabitants.removeIf(inhabitant -> inhabitant.participant() == participant);
     }
   }
 
@@ -166,9 +170,13 @@ public final class VirtualClock implements InstantSource, AutoCloseable {
         LockSupport.parkNanos(due - now);
         continue;
       }
-      if (!isReady() && now - heldSince < MAX_HOLD.toNanos()) {
+      boolean isReady = isReady();
+      if (!isReady && now - heldSince < maxHoldNanos) {
         LockSupport.parkNanos(STEP.toNanos() / 20);
         continue;
+      }
+      for (Inhabitant inhabitant : inhabitants) { // at every step
+        inhabitant.goOn(nanos, !isReady);
       }
       advanceOneStep();
       heldSince = now;
@@ -179,8 +187,8 @@ public final class VirtualClock implements InstantSource, AutoCloseable {
 
   /** Whether no participant holds the world up. */
   public boolean isReady() {
-    for (Registration registration : registrations) { // at every step
-      if (!registration.participant().isReady(nanos)) {
+    for (Inhabitant inhabitant : inhabitants) { // at every step
+      if (inhabitant.isAwaited(nanos)) {
         return false;
       }
     }
@@ -191,21 +199,21 @@ public final class VirtualClock implements InstantSource, AutoCloseable {
     synchronized (step) {
       long next = nanos + STEP.toNanos();
       nanos = next;
-      for (Registration registration : registrations) {
-        if (registration.isDue(next)) {
-          tick(registration, next);
+      for (Inhabitant inhabitant : inhabitants) {
+        if (inhabitant.isDue(next)) {
+          tick(inhabitant, next);
         }
       }
     }
   }
 
   /** A surprise in one participant ends that one, never the world. */
-  private void tick(Registration registration, long now) {
+  private void tick(Inhabitant inhabitant, long now) {
     try {
-      registration.participant().tick(now);
+      inhabitant.participant().tick(now);
     } catch (RuntimeException e) {
-      log.error("{} failed and takes no part any more.", registration.participant(), e);
-      registrations.remove(registration);
+      log.error("{} failed and takes no part any more.", inhabitant.participant(), e);
+      inhabitants.remove(inhabitant);
       hasLostParticipant = true;
     }
   }

@@ -83,6 +83,30 @@ class VirtualClockTest {
   }
 
   @Test
+  void runningWorldDoesNotWaitForEverForWhoIsNeverReady() throws InterruptedException {
+    CountDownLatch onward = new CountDownLatch(1_000);
+    try (VirtualClock clock = new VirtualClock(EPOCH, 1_000, Duration.ofMillis(2))) {
+      clock.add(
+          new Participant() {
+            @Override
+            public void tick(long nanos) {
+              if (clock.isReady()) {
+                onward.countDown();
+              }
+            }
+
+            @Override
+            public boolean isReady(long nanos) {
+              return false;
+            }
+          },
+          STEP);
+      clock.start();
+      assertTrue(onward.await(20, TimeUnit.SECONDS));
+    }
+  }
+
+  @Test
   void surpriseInOneParticipantIsItsOwn() {
     try (VirtualClock clock = new VirtualClock(EPOCH, 1)) {
       AtomicInteger failing = new AtomicInteger();

@@ -248,7 +248,7 @@ public final class Daemon implements AutoCloseable {
   /**
    * Whether a server is connected that has said nothing for a second, and nothing of it waits to be
    * processed. A simulated world that runs server and daemon in one process waits for it then: a
-   * slow machine is no lost link.
+   * slow machine is no lost link. A server that is silent for longer is not waited for.
    *
    * @param now the time of the ticks, nanoseconds
    */
@@ -257,13 +257,13 @@ public final class Daemon implements AutoCloseable {
   }
 
   /**
-   * Whether a leader is connected whose next pose is overdue, and nothing waits to be processed;
-   * likewise.
+   * Whether a leader that it follows is connected, its next pose is overdue, and nothing waits to
+   * be processed; likewise, until that leader counts as lost.
    *
    * @param now the time of the ticks, nanoseconds
    */
   public boolean isWaitingForLeader(long now) {
-    return connections.isWaitingForLeader(now);
+    return control.hasLeaderInSight() && connections.isWaitingForLeader(now);
   }
 
   /**

@@ -1,6 +1,7 @@
 package org.toqa.agent;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.nio.file.Path;
@@ -58,6 +59,31 @@ class ActivityTest {
       }
       // a second at 0.2 m/s and more
       assertTrue(server.pose().x() > before + 0.1, server.pose() + " after " + before);
+    }
+  }
+
+  @Test
+  void worldWaitsForALeaderOnlyWhileItIsFollowedAndNotLost() {
+    try (Rig rig = new Rig(folder)) {
+      TestServer server = rig.connect();
+      server.assertAccepted(FOLLOW);
+      TestServer leader = rig.connect();
+      Pose ahead = server.pose().compose(new Pose(0.5, 0, 0));
+      leader.send(new LeaderPose(TASK, 1, 0, ahead, new Speed(0, 0)));
+      leader.synchroniseAsLeader();
+      server.advance(Duration.ofMillis(200));
+      assertFalse(rig.isWaitingForLeader());
+      server.advance(Duration.ofMillis(100));
+      assertTrue(rig.isWaitingForLeader());
+      server.advance(Duration.ofMillis(500)); // lost after 0.6 s
+      assertFalse(rig.isWaitingForLeader());
+
+      leader.send(new LeaderPose(TASK, 2, 0, ahead, new Speed(0, 0)));
+      leader.synchroniseAsLeader();
+      server.advance(Duration.ofMillis(300));
+      assertTrue(rig.isWaitingForLeader());
+      server.assertAccepted(new Cancel(10, TASK));
+      assertFalse(rig.isWaitingForLeader());
     }
   }
 

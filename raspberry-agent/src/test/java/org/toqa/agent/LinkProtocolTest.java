@@ -153,6 +153,23 @@ class LinkProtocolTest extends ConnectedRobotTest {
     assertTrue(rig.isWaitingForServer());
     server.synchronise();
     assertFalse(rig.isWaitingForServer());
+    rig.advance(Duration.ofMillis(1_900));
+    assertTrue(rig.isWaitingForServer());
+    rig.advance(Duration.ofMillis(200));
+    assertFalse(rig.isWaitingForServer(), "a server that is silent for good");
+  }
+
+  @Test
+  void strangerThatSaysNothingIsNotWaitedForForEver() {
+    server.synchronise();
+    server.close();
+    rig.advance(Duration.ofSeconds(1));
+    TestServer stranger = rig.connect();
+    rig.advance(Duration.ofMillis(1_500));
+    assertTrue(rig.isWaitingForServer(), "it may be the server");
+    rig.advance(Duration.ofSeconds(1));
+    assertFalse(rig.isWaitingForServer());
+    stranger.close();
   }
 
   @Test

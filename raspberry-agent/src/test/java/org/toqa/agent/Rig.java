@@ -169,6 +169,10 @@ final class Rig implements AutoCloseable {
     return daemon.isWaitingForServer(nanos);
   }
 
+  boolean isWaitingForLeader() {
+    return daemon.isWaitingForLeader(nanos);
+  }
+
   /** Time goes on; nobody says anything. */
   void advance(Duration time) {
     long end = nanos + time.toNanos();

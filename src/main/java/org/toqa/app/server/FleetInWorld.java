@@ -25,4 +25,9 @@ record FleetInWorld(AgentFleet fleet, VirtualClock clock, boolean isSimulated)
     Instant behind = clock.instant().minus(LATEST);
     return !isSimulated || !fleet.floorTime().isBefore(behind);
   }
+
+  @Override
+  public String toString() {
+    return "the fleet, which is at " + fleet.floorTime();
+  }
 }

@@ -6,6 +6,7 @@ import java.util.Map;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.function.IntPredicate;
 import java.util.function.LongSupplier;
+import java.util.stream.Collectors;
 import org.toqa.link.PairingResult;
 import org.toqa.link.RobotAddress;
 import org.toqa.link.RobotLink;
@@ -22,11 +23,13 @@ import org.toqa.wording.Sentence;
  * Links where the simulated world waits until what its robots say has been read: a machine that is
  * held up for some tenths of a second would else count them as lost, as their time goes faster than
  * its own. The other way round the robots wait for the server's ping. Real robots are not waited
- * for.
+ * for, nor are simulated ones that are lost.
  */
 final class SimulatedLinks implements RobotLinkFactory, Participant {
   /** Robots report five times a second, and are lost after two. */
-  private static final Duration OVERDUE_AFTER = Duration.ofSeconds(1);
+  private static final long OVERDUE_NANOS = Duration.ofSeconds(1).toNanos();
+
+  private static final long LOST_NANOS = Duration.ofSeconds(2).toNanos();
 
   private final RobotLinkFactory links;
   private final IntPredicate isSimulated;
@@ -50,7 +53,7 @@ final class SimulatedLinks implements RobotLinkFactory, Participant {
     if (address.gateway() != null || !isSimulated.test(address.port())) {
       return links.open(address, listener);
     }
-    Listener heard = new Listener(listener);
+    Listener heard = new Listener(address.robot(), listener);
     RobotLink link = links.open(address, heard);
     return new RobotLink() {
       @Override
@@ -82,18 +85,35 @@ final class SimulatedLinks implements RobotLinkFactory, Participant {
   @Override
   public boolean isReady(long nanos) {
     for (long heard : heardAt.values()) { // at every step
-      if (nanos - heard > OVERDUE_AFTER.toNanos()) {
+      if (isAwaited(nanos - heard)) {
         return false;
       }
     }
     return true;
   }
 
+  private static boolean isAwaited(long silence) {
+    return silence > OVERDUE_NANOS && silence <= LOST_NANOS;
+  }
+
+  /** For the log: whom the world waits for. */
+  @Override
+  public String toString() {
+    long nanos = worldNanos.getAsLong();
+    return heardAt.entrySet().stream()
+        .filter(heard -> isAwaited(nanos - heard.getValue()))
+        .map(heard -> heard.getKey().robot)
+        .sorted()
+        .collect(Collectors.joining(", ", "what is said by ", ""));
+  }
+
   private final class Listener implements RobotLink.Listener {
+    private final String robot;
     private final RobotLink.Listener listener;
     private boolean isClosed;
 
-    Listener(RobotLink.Listener listener) {
+    Listener(String robot, RobotLink.Listener listener) {
+      this.robot = robot;
       this.listener = listener;
     }
 
@@ -113,6 +133,11 @@ final class SimulatedLinks implements RobotLinkFactory, Participant {
     @Override
     public void passedOver(int states, int unreadable) {
       listener.passedOver(states, unreadable);
+    }
+
+    @Override
+    public void misunderstood(String fault) {
+      listener.misunderstood(fault);
     }
 
     @Override

@@ -88,6 +88,8 @@ class SimulatedLinksTest {
     }
     long standing = clock.nanos();
     assertFalse(clock.isReady());
+    assertEquals("what is said by r1", links.toString());
+    assertTrue(links.isReady(standing + 2 * SECOND), "a robot that is lost");
     TimeUnit.MILLISECONDS.sleep(200); // ten seconds of a world that does not wait
     assertEquals(standing, clock.nanos());
     assertTrue(standing - server.heldUpAt <= SECOND + VirtualClock.STEP.toNanos());

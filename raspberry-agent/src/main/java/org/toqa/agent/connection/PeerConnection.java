@@ -126,7 +126,9 @@ public final class PeerConnection implements AutoCloseable {
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
       endReason = "it was closed here";
+    } finally { // else nobody would know that nothing comes any more
+      endReason = Objects.requireNonNullElse(endReason, "reading it failed");
+      close();
     }
-    close();
   }
 }

@@ -159,14 +159,16 @@ public final class PeerConnections implements AutoCloseable {
 
   /**
    * Whether a server is connected that has said nothing for a second, and nothing of it waits to be
-   * processed.
+   * processed. After two seconds it counts as silent, as a stranger that says nothing does.
    *
    * @param nanos now, nanoseconds on the monotonic clock of {@link #process}
    */
   public boolean isWaitingForServer(long nanos) {
     PeerConnection waiting = server == null ? unidentified.peekLast() : server;
+    long silence = nanos - Math.max(serverHeardNanos, helloSentNanos);
     return waiting != null
-        && nanos - Math.max(serverHeardNanos, helloSentNanos) > SERVER_SILENT_NANOS / 2
+        && silence > SERVER_SILENT_NANOS / 2
+        && silence <= SERVER_SILENT_NANOS
         && waiting.endReason() == null
         && inbox.isEmpty();
   }

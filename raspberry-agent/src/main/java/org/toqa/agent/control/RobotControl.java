@@ -460,6 +460,13 @@ public final class RobotControl {
     return activity.drive().map(run -> run.trajectory().twist()).orElse(Twist.ZERO);
   }
 
+  /**
+   * Whether it follows a leader that it has heard of late: one that is lost may never come back.
+   */
+  public boolean hasLeaderInSight() {
+    return activity instanceof Following(var follower) && follower.hasLeaderInSight();
+  }
+
   /** The leader, or another that says it is, has connected anew. */
   public void leaderConnected() {
     if (activity instanceof Following(var follower)) {

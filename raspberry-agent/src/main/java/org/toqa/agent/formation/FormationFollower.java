@@ -52,6 +52,12 @@ public final class FormationFollower {
     return follower.steer(actual, now);
   }
 
+  /** Whether its leader has told it a pose, and not so long ago that it counts as lost. */
+  public boolean hasLeaderInSight() {
+    Trouble trouble = follower.trouble().orElse(null);
+    return trouble != Trouble.NO_LEADER_YET && trouble != Trouble.LEADER_LOST;
+  }
+
   /** It does not even try to come to its place. */
   public boolean isStopped() {
     Trouble trouble = follower.trouble().orElse(null);
