@@ -5,10 +5,14 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.sql.Connection;
+import java.sql.DriverManager;
+import java.time.Duration;
 import java.util.Collections;
 import java.util.List;
 import java.util.concurrent.FutureTask;
 import java.util.concurrent.atomic.AtomicBoolean;
+import org.jdbi.v3.core.Jdbi;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -39,6 +43,12 @@ class H2CompactorTest {
 
   private static final int ROBOTS = 40;
   private static final int READ_COMMITS = 8_000;
+
+  /** With drives that are larger together than a file that is left as it is. */
+  private static final int MANY_ROBOTS = 300;
+
+  /** Of the compactor's time, from one commit to the next. */
+  private static final Duration FAST_PACE = Duration.ofMillis(10);
 
   @TempDir private Path folder;
 
@@ -79,6 +89,38 @@ class H2CompactorTest {
         store.saveDrive("r1", drive(++commits));
         Thread.sleep(COMMIT_EACH_MILLIS);
       }
+    }
+  }
+
+  /** As when the time of a simulated fleet goes forty times faster than the compactor's. */
+  @Test
+  void fileIsInProportionToItsContentAtAnyPace() throws Exception {
+    MigratedFile.copyTo(folder);
+    Path file = folder.resolve("toqa.mv.db");
+    String url = H2Url.withSettings(Database.fileUrl(folder.resolve("toqa")));
+    try (Connection connection = DriverManager.getConnection(url)) {
+      Jdbi jdbi = Jdbi.create(connection);
+      DatabaseTypes.register(jdbi);
+      JdbiFleetStore store = new JdbiFleetStore(jdbi);
+      H2Compactor compactor = new H2Compactor(jdbi);
+      for (int robot = 0; robot < MANY_ROBOTS; robot++) {
+        store.saveRobot(
+            RobotRecord.direct("r" + robot, "lab", "127.0.0.1", 1, 5, null, true, null));
+      }
+      long largest = 0;
+      Duration sinceLook = Duration.ZERO;
+      for (int commit = 0; commit < 3 * MANY_ROBOTS; commit++) {
+        store.saveDrive("r" + commit % MANY_ROBOTS, drive(1 + commit / MANY_ROBOTS));
+        sinceLook = sinceLook.plus(FAST_PACE);
+        if (sinceLook.compareTo(H2Compactor.INTERVAL) >= 0) {
+          compactor.compact();
+          sinceLook = Duration.ZERO;
+        }
+        largest = Math.max(largest, Files.size(file));
+      }
+      long content = DatabaseSize.ofH2File(file).contentBytes();
+      compactor.close();
+      assertTrue(largest < 3 * content, largest + " bytes for a content of " + content);
     }
   }
 
