@@ -37,6 +37,9 @@ final class CrashRun {
   /** Of 20 ms or less: who stands for so long does not only turn or wait for another one. */
   private static final long STEPS_OF_STANDING = 500;
 
+  /** Of the server's log, where something has not ended. */
+  private static final int LAST_LINES = 200;
+
   /** A task whose robots stand for so long while the server says no word why is stuck. */
   private static final Duration UNTIL_STUCK = Duration.ofSeconds(60);
 
@@ -317,7 +320,9 @@ final class CrashRun {
     return "\nrobots: "
         + site.server.api().tryToGet("robots")
         + "\nlast events: "
-        + site.server.api().tryToGet("history?limit=60");
+        + site.server.api().tryToGet("history?limit=60")
+        + "\nits log: "
+        + String.join("\n", site.server.lastLines(LAST_LINES));
   }
 
   private boolean isNoneDue() throws Exception {

@@ -164,6 +164,12 @@ final class RunningServer implements AutoCloseable {
     }
   }
 
+  /** What it has logged last. */
+  List<String> lastLines(int count) {
+    List<String> lines = process.errSoFar();
+    return lines.subList(Math.max(0, lines.size() - count), lines.size());
+  }
+
   /** How often the task's history has a line that begins so. */
   long eventCount(long id, String beginning) throws Exception {
     return eventCount(task(id), beginning);

@@ -142,6 +142,11 @@ public final class ToqaProcess implements AutoCloseable {
     return err.atEnd();
   }
 
+  /** What it has said on standard error until now. */
+  public List<String> errSoFar() {
+    return err.all();
+  }
+
   /** The first line on standard error that the pattern is found in. */
   public Matcher awaitErr(String pattern) throws InterruptedException {
     return err.await(Pattern.compile(pattern));
