@@ -3,15 +3,18 @@
   const PERIOD = 100; // milliseconds between two pictures
   const CHUNK = 1_000; // milliseconds of film that are kept at once
 
-  let places = new Map();
+  const places = new Map();
 
-  const fillText = CanvasRenderingContext2D.prototype.fillText;
-  CanvasRenderingContext2D.prototype.fillText = function (text, x, y, ...more) {
-    const words = text.replace(/[\u2068\u2069]/g, ''); // marks of direction
-    const {travelled, ...before} = places.get(words) ?? {x, y, travelled: 0};
-    places.set(words, {x, y, travelled: travelled + Math.hypot(x - before.x, y - before.y)});
-    return fillText.call(this, text, x, y, ...more);
-  };
+  // what stands still is drawn into a picture once, which is copied then
+  for (const {prototype} of [CanvasRenderingContext2D, OffscreenCanvasRenderingContext2D]) {
+    const {fillText} = prototype;
+    prototype.fillText = function (text, x, y, ...more) {
+      const words = text.replace(/[\u2068\u2069]/g, ''); // marks of direction
+      const {travelled, ...before} = places.get(words) ?? {x, y, travelled: 0};
+      places.set(words, {x, y, travelled: travelled + Math.hypot(x - before.x, y - before.y)});
+      return fillText.call(this, text, x, y, ...more);
+    };
+  }
 
   /** Pixels that a text has gone since the film began. */
   window.wayOf = (text) => {
@@ -30,7 +33,9 @@
 
   /** Notes from here on how far texts go; with a map it is filmed. */
   window.beginFilm = (map) => {
-    places = new Map();
+    for (const place of places.values()) {
+      place.travelled = 0;
+    }
     window.endFilm = () => {};
     if (map === null) {
       return;
