@@ -277,6 +277,8 @@ class SitesTest {
       long task = max.post("tasks", order).get("id").asLong();
       max.post("schedules", Map.of("task", order, "at", "2099-01-01T10:00:00Z"));
       max.post("users", Map.of("name", SECRET, "password", PASSWORD, "role", "CLERK"));
+      max.awaitSnapshot(
+          snapshot -> snapshot.get("tasks").size() == 1 && snapshot.get("robots").size() == 2);
       wanted.put("{id}", String.valueOf(task));
       wanted.put("{floor}", floor.replace(" ", "%20"));
       wanted.put("{name}", SECRET + "-robot");
