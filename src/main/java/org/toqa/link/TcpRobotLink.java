@@ -1,6 +1,8 @@
 package org.toqa.link;
 
 import org.jspecify.annotations.Nullable;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
 import org.toqa.link.channel.Backoff;
 import org.toqa.link.message.AgentMessage;
 import org.toqa.link.message.ServerMessage;
@@ -9,6 +11,7 @@ import org.toqa.wording.Sentence;
 
 /** A link that connects, listens, and connects again, on a virtual thread of its own. */
 final class TcpRobotLink implements RobotLink {
+  private static final Logger log = LoggerFactory.getLogger(TcpRobotLink.class);
 
   private final RobotAddress address;
   private final RobotConnector connector;
@@ -50,6 +53,9 @@ final class TcpRobotLink implements RobotLink {
         runConnection();
       } catch (LinkException e) {
         notifyListener(e.sentence(), e.isTrustFailure());
+      } catch (RuntimeException e) { // else nobody would ever hear the robot again
+        log.error("{}: what it said could not be taken; it is connected anew.", address.robot(), e);
+        notifyListener(Phrase.CONNECTION_ENDED_BY_FAULT.with(address.robot()), false);
       }
       pause();
     }

@@ -99,6 +99,23 @@ class TcpRobotLinkTest {
   }
 
   @Test
+  void aRobotWhoseWordSurprisesTheServerIsConnectedAnew() throws Exception {
+    heard.failNext();
+    try (Socket socket = greet()) {
+      say(socket, "{\"type\":\"ack\",\"seq\":4}");
+      assertEquals(
+          "The server ended the connection to r1 by a fault of its own, and connects again. Its log"
+              + " says more.",
+          heard.await(LinkRecorder.End.class).sentence());
+    }
+
+    try (Socket socket = greet()) {
+      say(socket, "{\"type\":\"ack\",\"seq\":5}");
+      assertEquals(new Ack(5), heard.next());
+    }
+  }
+
+  @Test
   void whatIsSentWithoutAConnectionIsDropped() throws Exception {
     link.send(new Ping(1));
     try (Socket socket = greet()) {

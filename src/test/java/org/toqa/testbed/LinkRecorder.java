@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertNotNull;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.Predicate;
 import org.toqa.link.RobotLink;
@@ -18,6 +19,7 @@ public final class LinkRecorder implements RobotLink.Listener {
 
   private final AtomicLong passedOver = new AtomicLong();
   private volatile boolean isFull;
+  private final AtomicBoolean failsNext = new AtomicBoolean();
   private final BlockingQueue<String> faults = new LinkedBlockingQueue<>();
   private final BlockingQueue<Object> told = new LinkedBlockingQueue<>();
 
@@ -34,6 +36,9 @@ public final class LinkRecorder implements RobotLink.Listener {
 
   @Override
   public boolean received(AgentMessage message) {
+    if (failsNext.getAndSet(false)) {
+      throw new IllegalStateException("said by the test");
+    }
     told.add(message);
     return !isFull;
   }
@@ -58,6 +63,11 @@ public final class LinkRecorder implements RobotLink.Listener {
   /** From now on it can take nothing more. */
   public void setFull() {
     isFull = true;
+  }
+
+  /** The next message surprises it. */
+  public void failNext() {
+    failsNext.set(true);
   }
 
   /** How many states newer ones superseded. */
