@@ -82,6 +82,8 @@ public final class GatewayAgent implements AutoCloseable {
         runConnection();
       } catch (IOException e) {
         logFailure(e);
+      } catch (RuntimeException e) { // else it would never dial again
+        log.error("The connection to the server at {} failed.", server, e);
       }
       if (System.nanoTime() - began > Backoff.LONGEST.toNanos() * 2) {
         backoff.reset();

@@ -5,6 +5,7 @@ import java.net.InetAddress;
 import java.net.InetSocketAddress;
 import java.net.ServerSocket;
 import java.net.Socket;
+import java.time.Duration;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
@@ -12,6 +13,8 @@ import org.slf4j.LoggerFactory;
 final class TcpListener implements AutoCloseable {
 
   private static final Logger log = LoggerFactory.getLogger(TcpListener.class);
+
+  private static final Duration PAUSE_AFTER_FAILURE = Duration.ofMillis(100);
 
   private final String robot;
   private final ServerSocket socket;
@@ -52,15 +55,32 @@ final class TcpListener implements AutoCloseable {
   private void acceptConnections() {
     while (!socket.isClosed()) {
       try {
-        Socket client = socket.accept();
-        client.setTcpNoDelay(true);
-        client.setKeepAlive(true);
-        acceptor.accept(client);
+        take(socket.accept());
       } catch (IOException e) {
         if (!socket.isClosed()) {
           log.warn("{}: a connection could not be taken: {}", robot, e.getMessage());
+          pause();
         }
       }
+    }
+  }
+
+  private void take(Socket client) throws IOException {
+    try {
+      client.setTcpNoDelay(true);
+      client.setKeepAlive(true);
+    } catch (IOException e) {
+      client.close();
+      throw e;
+    }
+    acceptor.accept(client);
+  }
+
+  private static void pause() {
+    try {
+      Thread.sleep(PAUSE_AFTER_FAILURE); // as when there are too many open files
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
     }
   }
 }

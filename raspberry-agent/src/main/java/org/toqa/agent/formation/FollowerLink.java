@@ -90,6 +90,8 @@ public final class FollowerLink implements AutoCloseable {
         runConnection(connector.connect(fresh, follower));
       } catch (IOException e) {
         logFailure(LinkTls.reasonOf(e), e);
+      } catch (RuntimeException e) { // else it would never connect again
+        log.error("{}: the link to {} failed.", leader, follower.robot(), e);
       }
       try {
         Thread.sleep(RETRY_INTERVAL);
