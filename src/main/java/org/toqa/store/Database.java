@@ -204,6 +204,7 @@ public final class Database implements AutoCloseable {
       config.setPassword(password);
     }
     config.setMaximumPoolSize(FLYWAY_CONNECTIONS);
+    config.setMinimumIdle(0); // one made in advance would open a file again that was shut down
     return config;
   }
 
