@@ -239,7 +239,7 @@ final class FloorMissions {
 
   /** Which loads do not count for which robots, as these stand now. */
   void updatePassableLoads() {
-    if (!state.leftLoads.concernRobots()) {
+    if (state.leftLoads.isEmpty()) {
       return;
     }
     state.leftLoads.keepRobots(state.robots.keySet());

@@ -105,9 +105,9 @@ final class LeftLoads {
     boxes = next;
   }
 
-  /** Whether any lie there, or robots are still said to go over some. */
-  boolean concernRobots() {
-    return !isNone() || !passable.isEmpty();
+  /** Whether none lie there, and no robot is still said to go over some. */
+  boolean isEmpty() {
+    return isNone() && passable.isEmpty();
   }
 
   private boolean isNone() {

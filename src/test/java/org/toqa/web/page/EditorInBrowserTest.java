@@ -288,7 +288,7 @@ class EditorInBrowserTest extends PagesInBrowser {
 
   @Test
   void thatTheDrawingHasChangedWhileItWasSavedIsSaid() {
-    Page page = changedWhile("**/draft");
+    Page page = editorChangedWhile("**/draft");
 
     assertThat(page.locator("#said"))
         .hasText("The drawing has changed meanwhile. Check or publish it again.");
@@ -299,7 +299,7 @@ class EditorInBrowserTest extends PagesInBrowser {
 
   @Test
   void thatTheDrawingHasChangedWhileItWasCheckedIsSaid() {
-    Page page = changedWhile("**/draft/check");
+    Page page = editorChangedWhile("**/draft/check");
 
     assertThat(page.locator("#problems-summary"))
         .hasText("The drawing has changed meanwhile. Check or publish it again.");
@@ -309,7 +309,7 @@ class EditorInBrowserTest extends PagesInBrowser {
   }
 
   /** An editor in which a station was drawn on while what publishing asks was under way. */
-  private Page changedWhile(String asking) {
+  private Page editorChangedWhile(String asking) {
     Page page = editor(WebTestServer.MANAGER);
     tool(page, "stations");
     click(page, 8.25, 3.15);
