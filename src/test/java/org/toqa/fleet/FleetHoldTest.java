@@ -5,12 +5,12 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.time.Duration;
 import java.util.ArrayList;
-import java.util.Collections;
 import java.util.List;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicInteger;
 import org.junit.jupiter.api.Test;
 import org.toqa.geometry.Vec2;
 import org.toqa.mission.MissionEvent;
@@ -43,9 +43,11 @@ class FleetHoldTest extends HallFleetTest {
 
   @Test
   void aPauseOvertakesWhatWasAskedBefore() throws Exception {
-    List<String> answered = Collections.synchronizedList(new ArrayList<>());
+    untilCarryingOnTheWay(submit("West", "East"));
+    long waiting = submit("East", "West");
+    AtomicInteger answered = new AtomicInteger();
+    AtomicInteger answeredBeforeItStood = new AtomicInteger();
     List<CompletableFuture<?>> asked = new ArrayList<>();
-    long task = submit("West", "East");
     stage.holdUp(
         Duration.ZERO,
         () -> {
@@ -53,21 +55,22 @@ class FleetHoldTest extends HallFleetTest {
             asked.add(
                 stage
                     .fleet
-                    .commandTask(task, new MissionEvent.Hold("Max"))
-                    .whenComplete((answer, failure) -> answered.add("task"))
+                    .commandTask(waiting, new MissionEvent.Hold("Max"))
+                    .thenAccept(
+                        answer -> {
+                          answered.incrementAndGet();
+                          if (!scriptedRobot("r1").isHeld()) {
+                            answeredBeforeItStood.incrementAndGet();
+                          }
+                        })
                     .toCompletableFuture());
           }
-          asked.add(
-              stage
-                  .fleet
-                  .pauseAll("Max")
-                  .whenComplete((answer, failure) -> answered.add("pause"))
-                  .toCompletableFuture());
+          asked.add(stage.fleet.pauseAll("Max").toCompletableFuture());
         });
     CompletableFuture.allOf(asked.toArray(CompletableFuture[]::new)).get(60, TimeUnit.SECONDS);
 
-    assertEquals(101, answered.size());
-    assertTrue(answered.indexOf("pause") < 20, () -> "after " + answered.indexOf("pause"));
+    assertEquals(100, answered.get());
+    assertTrue(answeredBeforeItStood.get() < 20, () -> "after " + answeredBeforeItStood);
   }
 
   @Test
