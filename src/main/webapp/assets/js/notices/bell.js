@@ -18,6 +18,8 @@ const plainTitle = document.title;
 const plainName = bell.getAttribute('aria-label');
 let shown = 0;
 let asked = false;
+let looking = false;
+let outdated = false; // while it looks: something has changed meanwhile
 
 document.addEventListener('toqa-notices', ask);
 setInterval(update, PERIOD);
@@ -33,14 +35,29 @@ function ask() {
   }
 }
 
+/** Looks once at a time: an older answer never follows a newer one. */
 async function update() {
-  try {
-    const news = await fetchJson('api/v1/notices/news');
-    showCount(news.unseen);
-    await tellNew(news);
-  } catch {
-    // the page says by itself that the server does not answer
+  if (looking) {
+    outdated = true;
+    return;
   }
+  looking = true;
+  do {
+    outdated = false;
+    try {
+      await (navigator.locks ? navigator.locks.request(TOLD, look) : look());
+    } catch {
+      // the page says by itself that the server does not answer
+    }
+  } while (outdated);
+  looking = false;
+}
+
+/** Where there are locks, no two pages of the browser do so at the same moment, and tell the same. */
+async function look() {
+  const news = await fetchJson('api/v1/notices/news');
+  showCount(news.unseen);
+  tell(news);
 }
 
 function showCount(unseen) {
@@ -85,11 +102,6 @@ function showIcon(unseen) {
     icon.href = canvas.toDataURL('image/png');
   });
   image.src = plainIcon;
-}
-
-/** One page of the browser tells what is new; where there are locks, no two do at the same moment. */
-function tellNew(news) {
-  return navigator.locks ? navigator.locks.request(TOLD, () => tell(news)) : tell(news);
 }
 
 function tell({latest, told}) {

@@ -21,7 +21,6 @@ class EventStream {
   #onSnapshot;
   #onConnection;
   #state = '';
-  #wasOpen = false;
   #heardAt = 0; // milliseconds of the page's clock
   #source;
   #snapshot;
@@ -40,10 +39,7 @@ class EventStream {
     source.addEventListener('snapshot', (event) => this.#receive(JSON.parse(event.data)));
     source.addEventListener('change', (event) => this.#receive(applyChange(this.#snapshot, JSON.parse(event.data))));
     source.addEventListener('alive', () => this.#markAlive());
-    if (this.#wasOpen) {
-      source.addEventListener('open', () => document.dispatchEvent(new Event('toqa-notices')));
-    }
-    this.#wasOpen = true;
+    source.addEventListener('open', () => document.dispatchEvent(new Event('toqa-notices')));
     source.addEventListener('notices', () => document.dispatchEvent(new Event('toqa-notices')));
     source.addEventListener('error', () => this.#handleLoss());
     this.#source = source;

@@ -111,11 +111,11 @@ final class EventStream implements Runnable {
       return;
     }
     SnapshotFeed feed = wanted.get();
+    long notices = services.notices().version(); // before the reader knows that he is connected
     out.write(RETRY);
     FleetSnapshot sent = feed.latest();
     send(out, events.id(sent).equals(lastId) ? ALIVE : events.snapshotEvent(sent));
     long checked = System.nanoTime();
-    long notices = services.notices().version();
     while (true) {
       Thread.sleep(interval());
       FleetSnapshot newest = feed.awaitNewer(sent.version(), KEEP_ALIVE);

@@ -6,8 +6,10 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import com.microsoft.playwright.Locator;
 import com.microsoft.playwright.Page;
+import com.microsoft.playwright.Route;
 import com.microsoft.playwright.options.AriaRole;
 import java.time.Instant;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.UUID;
 import java.util.regex.Pattern;
@@ -144,6 +146,20 @@ class NoticesInBrowserTest extends PagesInBrowser {
         ((List<?>) page.evaluate("window.shown")).size()
             + ((List<?>) second.evaluate("window.shown")).size());
     second.close();
+  }
+
+  @Test
+  void whatBeginsBeforeThePageIsConnectedIsCountedToo() {
+    Page page = loggedIn(WebTestServer.CLERK, DESK, "help");
+    List<Route> connecting = new ArrayList<>();
+    page.route("**/api/v1/events?*", connecting::add);
+    page.waitForResponse("**/notices/news", page::reload);
+    await(page, () -> !connecting.isEmpty());
+    begin(NoticeKind.ROBOT_LOST, "r1");
+    connecting.getFirst().resume();
+
+    assertThat(bell(page).locator(".count")).hasText("1");
+    page.unroute("**/api/v1/events?*");
   }
 
   @ParameterizedTest
