@@ -57,18 +57,18 @@ public final class FloorReader {
    * drawn, and are called as was allowed when they were named.
    */
   public static FloorDrawing readStored(MapArchive archive) throws MapFormatException {
-    return read(archive.main(), false).drawing();
+    return read(archive.main(), true).drawing();
   }
 
   private static FloorMap read(MapFile mapFile) throws MapFormatException {
-    return read(mapFile, true);
+    return read(mapFile, false);
   }
 
-  private static FloorMap read(MapFile mapFile, boolean checksPlaces) throws MapFormatException {
+  private static FloorMap read(MapFile mapFile, boolean isStored) throws MapFormatException {
     String file = mapFile.name();
     String lower = file.toLowerCase(Locale.ROOT);
     OccupancyGrid grid;
-    if (lower.endsWith(FLOOR_FILE)) {
+    if (lower.endsWith(FLOOR_FILE) && !floorFile(mapFile).exists()) {
       throw new MapFormatException(
           mapFile + " only adds to a map; name the map's own .yaml or .map file.");
     } else if (lower.endsWith(".yaml") || lower.endsWith(".yml")) {
@@ -80,19 +80,26 @@ public final class FloorReader {
           mapFile + ": a map is a .yaml file (ROS map_server) or a .map file (MovingAI).");
     }
     String name = file.substring(0, file.lastIndexOf('.'));
-    MapFile extra = mapFile.sibling(name + FLOOR_FILE);
+    MapFile extra = floorFile(mapFile);
     FloorDrawing drawing =
-        extra.exists() ? withPlaces(grid, extra, checksPlaces) : FloorDrawing.of(grid);
+        extra.exists() ? withPlaces(grid, extra, isStored) : FloorDrawing.of(grid);
     return new FloorMap(name, drawing, Margins.USUAL);
   }
 
-  private static FloorDrawing withPlaces(OccupancyGrid walls, MapFile file, boolean checksPlaces)
+  /** What adds to a map's file, whether or not there is one. */
+  static MapFile floorFile(MapFile mapFile) {
+    String file = mapFile.name();
+    return mapFile.sibling(file.substring(0, file.lastIndexOf('.')) + FLOOR_FILE);
+  }
+
+  private static FloorDrawing withPlaces(OccupancyGrid walls, MapFile file, boolean isStored)
       throws MapFormatException {
     YamlFields yaml =
         YamlFields.read(
             file,
             List.of(
-                STATIONS, PARKING, CHARGING, KEEP_OUT, SPEED_LIMITS, ONE_WAY, FREE_ZONES, MOVES));
+                STATIONS, PARKING, CHARGING, KEEP_OUT, SPEED_LIMITS, ONE_WAY, FREE_ZONES, MOVES),
+            isStored ? MapLimits.MAX_STORED_YAML_BYTES : MapLimits.MAX_YAML_BYTES);
     List<Area> keepOut = new ArrayList<>();
     for (YamlFields zone : items(yaml, KEEP_OUT)) {
       keepOut.add(area(zone));
@@ -110,11 +117,11 @@ public final class FloorReader {
       freeZones.add(area(zone));
     }
     @Nullable OccupancyGrid drivable =
-        checksPlaces
-            ? new FloorDrawing(
+        isStored
+            ? null
+            : new FloorDrawing(
                     walls, List.of(), List.of(), List.of(), keepOut, List.of(), List.of())
-                .drivable()
-            : null;
+                .drivable();
     Set<String> names = new HashSet<>();
     return new FloorDrawing(
         walls,

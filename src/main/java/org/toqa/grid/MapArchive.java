@@ -128,7 +128,7 @@ public final class MapArchive {
     for (String name : files.keySet()) {
       String lower = name.toLowerCase(Locale.ROOT);
       boolean isYaml = lower.endsWith(".yaml") || lower.endsWith(".yml");
-      if (lower.endsWith(".map") || (isYaml && !lower.endsWith(".floor.yaml"))) {
+      if (lower.endsWith(".map") || (isYaml && !isAddition(name))) {
         mains.add(name);
       }
     }
@@ -142,5 +142,11 @@ public final class MapArchive {
                   + "; give one.");
     }
     return new MapFile.InArchive(this, mains.getFirst());
+  }
+
+  /** Whether a file only adds to a map; not so where another one adds to it. */
+  private boolean isAddition(String name) {
+    return name.toLowerCase(Locale.ROOT).endsWith(FloorReader.FLOOR_FILE)
+        && !FloorReader.floorFile(new MapFile.InArchive(this, name)).exists();
   }
 }

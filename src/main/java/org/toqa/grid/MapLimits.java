@@ -8,8 +8,11 @@ public final class MapLimits {
   /** Bytes of an image or of a map in text. */
   public static final long MAX_MAP_BYTES = 64L << 20;
 
-  /** Bytes of a YAML file. */
-  static final long MAX_YAML_BYTES = 1L << 20;
+  /** Bytes of a YAML file from anywhere. */
+  static final int MAX_YAML_BYTES = 1 << 20;
+
+  /** Of one that was written here: more than all kinds of places and areas with the longest names. */
+  static final int MAX_STORED_YAML_BYTES = 1 << 23;
 
   /** Metres of a cell's side. */
   public static final double FINEST = 0.001;

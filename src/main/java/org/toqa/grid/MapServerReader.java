@@ -31,7 +31,11 @@ public final class MapServerReader {
     List<Double> origin = origin(yaml);
     Vec2 corner = new Vec2(origin.get(0), origin.get(1));
     DoublePredicate isFree = freeShades(yaml);
-    GreyImage image = image(yamlFile.sibling(yaml.text("image")), yaml);
+    String imageName = yaml.text("image");
+    if (imageName.indexOf('\0') >= 0) {
+      throw yaml.error("image", "must be the name of a file.");
+    }
+    GreyImage image = image(yamlFile.sibling(imageName), yaml);
     BitSet occupied = new BitSet(image.width() * image.height());
     for (int i = 0; i < image.width() * image.height(); i++) {
       occupied.set(i, !isFree.test(image.shades().at(i)));

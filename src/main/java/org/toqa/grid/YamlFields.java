@@ -21,9 +21,16 @@ final class YamlFields {
 
   /** The whole file as one mapping with no other keys than these. */
   static YamlFields read(MapFile file, List<String> known) throws MapFormatException {
-    byte[] bytes = file.read(MapLimits.MAX_YAML_BYTES);
+    return read(file, known, MapLimits.MAX_YAML_BYTES);
+  }
+
+  /**
+   * @param maxBytes that it may have
+   */
+  static YamlFields read(MapFile file, List<String> known, int maxBytes) throws MapFormatException {
+    byte[] bytes = file.read(maxBytes);
     try {
-      Object root = YamlParser.parse(new String(bytes, StandardCharsets.UTF_8));
+      Object root = YamlParser.parse(new String(bytes, StandardCharsets.UTF_8), maxBytes);
       return of(file.toString(), root, known);
     } catch (YamlSyntaxException e) {
       String place =

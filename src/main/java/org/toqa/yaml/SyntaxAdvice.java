@@ -23,7 +23,7 @@ final class SyntaxAdvice {
               "this line is indented otherwise than those before it, or a bracket or quote is open"),
           rule("unexpected end of stream", "a quote is opened and not closed"),
           rule("expected ',' or '([]}])'", "a list in brackets is not closed with $1"),
-          rule("Global tag is not allowed", "there are only texts, numbers, lists and keys"),
+          rule("Global tag is not allowed|^tag$", "there are only texts, numbers, lists and keys"),
           rule("special characters are not allowed", "there is a character that is no text"),
           rule("undefined alias", "a text that begins with * stands in quotes"),
           rule("expected alphabetic or numeric", "a text that begins with * or & stands in quotes"),

@@ -12,7 +12,7 @@ import org.yaml.snakeyaml.error.YAMLException;
  * little memory and time.
  */
 public final class YamlParser {
-  /** Characters. */
+  /** Characters of a text from anywhere. */
   private static final int MAX_LENGTH = 1 << 20;
 
   private static final int MAX_NESTING = 8;
@@ -27,11 +27,20 @@ public final class YamlParser {
    *     another type, or is too long or nested too deeply
    */
   public static @Nullable Object parse(String text) throws YamlSyntaxException {
+    return parse(text, MAX_LENGTH);
+  }
+
+  /**
+   * The same of a text that may be of another length.
+   *
+   * @param maxLength in characters
+   */
+  public static @Nullable Object parse(String text, int maxLength) throws YamlSyntaxException {
     LoaderOptions limits = new LoaderOptions();
     limits.setAllowDuplicateKeys(false);
     limits.setMaxAliasesForCollections(0);
     limits.setNestingDepthLimit(MAX_NESTING);
-    limits.setCodePointLimit(MAX_LENGTH);
+    limits.setCodePointLimit(maxLength);
     try {
       return new Yaml(new SafeConstructor(limits)).load(text);
     } catch (MarkedYAMLException e) {
@@ -39,6 +48,8 @@ public final class YamlParser {
       throw new YamlSyntaxException(line, SyntaxAdvice.of(String.valueOf(e.getProblem())), e);
     } catch (YAMLException e) {
       throw new YamlSyntaxException(0, SyntaxAdvice.of(String.valueOf(e.getMessage())), e);
+    } catch (IllegalArgumentException e) { // a word that is not of the type that its tag names
+      throw new YamlSyntaxException(0, SyntaxAdvice.of("tag"), e);
     }
   }
 }

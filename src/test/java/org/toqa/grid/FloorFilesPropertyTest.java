@@ -2,10 +2,12 @@ package org.toqa.grid;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.BitSet;
+import java.util.Collections;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
@@ -39,6 +41,11 @@ class FloorFilesPropertyTest {
           "a: b",
           "\u0645\u06cc\u200c\u062e",
           "%YAML",
+          "Level 1.floor",
+          "X.FLOOR",
+          "a.yaml",
+          "b.map",
+          "c.floor.yaml",
           "é".repeat(64));
 
   @Property(tries = 300)
@@ -77,6 +84,39 @@ class FloorFilesPropertyTest {
 
     assertSame(drawing, FloorReader.readStored(stored));
     assertThrows(MapFormatException.class, () -> FloorReader.read(stored));
+  }
+
+  /** As many places and areas as are allowed, with the longest names. */
+  @Example
+  void theLargestDrawingThatIsAcceptedIsReadAsItWasStored() throws MapFormatException {
+    OccupancyGrid walls = new OccupancyGrid(2, 1, 1, Vec2.ZERO, new BitSet());
+    List<List<Place>> places = new ArrayList<>();
+    for (int kind = 0; kind < 3; kind++) {
+      List<Place> ofAKind = new ArrayList<>();
+      for (int i = 0; i < FloorLimits.MOST_OF_A_KIND; i++) {
+        String name = "%d%04d".formatted(kind, i) + "🤖".repeat(FloorLimits.LONGEST_NAME - 5);
+        assertTrue(FloorLimits.isName(name), name);
+        ofAKind.add(new Place(name, new Vec2(Math.PI / 3, -Math.E), 1 / 3.0, Direction.NORTH));
+      }
+      places.add(ofAKind);
+    }
+    Area area = new Area(new Vec2(-12_345.678901234567, 1 / 3.0), 1 / 7.0, 1 / 9.0);
+    FloorDrawing drawing =
+        new FloorDrawing(
+            walls,
+            places.get(0),
+            places.get(1),
+            places.get(2),
+            Collections.nCopies(FloorLimits.MOST_OF_A_KIND, area),
+            Collections.nCopies(FloorLimits.MOST_OF_A_KIND, new SpeedLimit(area, 1 / 3.0)),
+            Collections.nCopies(FloorLimits.MOST_OF_A_KIND, new OneWay(area, Direction.WEST)),
+            Collections.nCopies(FloorLimits.MOST_OF_A_KIND, area),
+            Moves.SMOOTH);
+
+    assertSame(
+        drawing,
+        FloorReader.readStored(
+            MapArchive.unpack(FloorWriter.mapServerFiles("hall", drawing).pack())));
   }
 
   @Property(tries = 100)

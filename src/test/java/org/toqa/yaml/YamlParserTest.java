@@ -1,11 +1,13 @@
 package org.toqa.yaml;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 
 import java.util.OptionalInt;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
 
 class YamlParserTest {
   /** A bar begins a new line, an arrow is a tab. */
@@ -30,5 +32,13 @@ class YamlParserTest {
         assertThrows(YamlSyntaxException.class, () -> YamlParser.parse(yaml));
     assertEquals(advice, problem.problem());
     assertEquals(OptionalInt.of(line), problem.line());
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"!!int abc", "!!float abc", "!!binary \"%\"", "!!timestamp x"})
+  void aWordIsOfTheTypeThatItsTagNames(String word) {
+    YamlSyntaxException problem =
+        assertThrows(YamlSyntaxException.class, () -> YamlParser.parse("port: " + word));
+    assertFalse(problem.problem().isBlank());
   }
 }

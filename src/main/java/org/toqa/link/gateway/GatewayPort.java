@@ -2,7 +2,6 @@ package org.toqa.link.gateway;
 
 import java.io.IOException;
 import java.net.InetSocketAddress;
-import java.net.ServerSocket;
 import java.net.Socket;
 import java.time.Duration;
 import java.time.Instant;
@@ -14,6 +13,7 @@ import java.util.concurrent.atomic.AtomicLong;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
+import org.toqa.link.channel.ConnectionListener;
 import org.toqa.link.message.GatewayMessage;
 import org.toqa.link.message.GatewayMessage.Gateway;
 import org.toqa.link.message.GatewayMessage.Stream;
@@ -37,11 +37,9 @@ public final class GatewayPort implements Gateways, AutoCloseable {
   /** More than gateways make at once. */
   private static final int MAX_PENDING = 64;
 
-  private static final Duration PAUSE_AFTER_FAILURE = Duration.ofMillis(100);
-
   private final LinkTls tls;
   private final InstantSource clock;
-  private final ServerSocket socket;
+  private final ConnectionListener listener;
   private final Map<Fingerprint, Member> members = new LinkedHashMap<>();
   private final PendingConnections pending = new PendingConnections(MAX_PENDING);
   private final RejectedGateways rejected = new RejectedGateways(System::nanoTime);
@@ -94,23 +92,20 @@ public final class GatewayPort implements Gateways, AutoCloseable {
     this.tls = tls;
     this.clock = clock;
     trusted.forEach((name, key) -> members.put(key, new Member(name, clock.instant())));
-    socket = new ServerSocket();
     try {
-      socket.setReuseAddress(true);
-      socket.bind(address);
+      listener = new ConnectionListener("gateways", address, this::receive);
     } catch (IOException e) {
-      socket.close();
       throw new IOException(
           "Gateways cannot be listened for on port %d of %s (%s): choose another one by gateways.port and gateways.address."
               .formatted(address.getPort(), address.getHostString(), e.getMessage()),
           e);
     }
-    Thread.ofVirtual().name("gateways").start(this::acceptConnections);
+    listener.start();
   }
 
   /** Of TCP. */
   public int port() {
-    return socket.getLocalPort();
+    return listener.port();
   }
 
   @Override
@@ -135,32 +130,14 @@ public final class GatewayPort implements Gateways, AutoCloseable {
 
   @Override
   public void close() {
-    GatewayConnection.closeQuietly(socket);
+    listener.close();
     pending.all().forEach(GatewayConnection::closeQuietly);
     members.values().forEach(m -> GatewayConnection.closeQuietly(m.connection()));
   }
 
-  private void acceptConnections() {
-    while (!socket.isClosed()) {
-      try {
-        Socket client = socket.accept();
-        pending.add(client).ifPresent(GatewayConnection::closeQuietly);
-        Thread.startVirtualThread(() -> serve(client));
-      } catch (IOException e) {
-        if (!socket.isClosed()) {
-          log.warn("A connection of a gateway could not be taken: {}", e.getMessage());
-          pause();
-        }
-      }
-    }
-  }
-
-  private static void pause() {
-    try {
-      Thread.sleep(PAUSE_AFTER_FAILURE); // as when there are too many open files
-    } catch (InterruptedException e) {
-      Thread.currentThread().interrupt();
-    }
+  private void receive(Socket client) {
+    pending.add(client).ifPresent(GatewayConnection::closeQuietly);
+    Thread.startVirtualThread(() -> serve(client));
   }
 
   private void serve(Socket client) {
@@ -225,7 +202,7 @@ public final class GatewayPort implements Gateways, AutoCloseable {
   }
 
   private void reject(Socket client, String why) {
-    if (!socket.isClosed()) {
+    if (!listener.isClosed()) {
       rejected.record(client.getInetAddress().getHostAddress(), why);
     }
   }

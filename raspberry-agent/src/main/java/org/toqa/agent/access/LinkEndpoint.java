@@ -1,11 +1,14 @@
 package org.toqa.agent.access;
 
 import java.io.IOException;
+import java.net.InetSocketAddress;
+import java.net.Socket;
 import java.nio.file.Path;
 import java.security.SecureRandom;
 import java.util.Optional;
 import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
+import org.toqa.link.channel.ConnectionListener;
 import org.toqa.link.message.AgentMessage.Fault;
 import org.toqa.link.trust.Fingerprint;
 import org.toqa.link.trust.IdentityFile;
@@ -30,7 +33,8 @@ public final class LinkEndpoint implements AutoCloseable {
   private final @Nullable PeerPolicy policy;
   private final @Nullable PairingOffer pairingOffer;
   private final @Nullable PairingRequestWatcher requestWatcher;
-  private final TcpListener listener;
+  private final ConnectionAcceptor acceptor;
+  private final ConnectionListener listener;
 
   /**
    * Opens it.
@@ -44,7 +48,6 @@ public final class LinkEndpoint implements AutoCloseable {
     rejected = new RejectedConnections(config.robot(), config.nanos());
     ServerPin pin = new ServerPin(config.folder());
     boolean paired = pin.server().isPresent();
-    ConnectionAcceptor acceptor;
     if (!paired && !config.showCode() && config.canBePlain()) {
       tls = null;
       policy = null;
@@ -68,11 +71,19 @@ public final class LinkEndpoint implements AutoCloseable {
               asked -> pairing.setOffer(new PairingOffer(asked, robot, config.nanos())));
     }
     try {
-      listener = new TcpListener(config.robot(), config.address(), config.port(), acceptor);
+      listener =
+          new ConnectionListener(
+              config.robot(),
+              new InetSocketAddress(config.address(), config.port()),
+              this::receive);
     } catch (IOException e) {
       closeRequestWatcher();
-      throw e;
+      throw new IOException(
+          "Port %d on %s cannot be listened on (%s); is another daemon running there?"
+              .formatted(config.port(), config.address().getHostAddress(), e.getMessage()),
+          e);
     }
+    listener.start();
   }
 
   /**
@@ -88,6 +99,17 @@ public final class LinkEndpoint implements AutoCloseable {
     if (!pin.server().equals(Optional.of(server))) {
       pin.save(server);
     }
+  }
+
+  private void receive(Socket client) throws IOException {
+    try {
+      client.setTcpNoDelay(true);
+      client.setKeepAlive(true);
+    } catch (IOException e) {
+      client.close();
+      throw e;
+    }
+    acceptor.accept(client);
   }
 
   private PairingOffer newOffer(Fingerprint robot) {
@@ -143,6 +165,7 @@ public final class LinkEndpoint implements AutoCloseable {
   public void close() {
     closeRequestWatcher();
     listener.close();
+    acceptor.close();
   }
 
   @Override
