@@ -233,4 +233,7 @@ public interface Fleet {
 
   /** Why the fleet cannot go on by itself; empty while it can. Any thread may ask. */
   List<Sentence> failures();
+
+  /** Which alerts ask something of people while the fleet itself goes on. Any thread may ask. */
+  List<Sentence> advice();
 }

@@ -17,6 +17,10 @@ import org.toqa.geometry.Vec2;
  */
 public record Sentence(Phrase phrase, List<Object> values) {
   private static final String BUNDLE = "org.toqa.wording.sentences";
+
+  /** Stands for a value that not everybody may read. */
+  private static final String BLANK = "…";
+
   private static final Map<Wording, MessageFormat> FORMATS = new ConcurrentHashMap<>();
 
   public Sentence {
@@ -81,9 +85,28 @@ public record Sentence(Phrase phrase, List<Object> values) {
     return text(Locale.ENGLISH);
   }
 
+  /** The same for who may not know what is named: its values are left open if one is a name. */
+  public Sentence withoutNames() {
+    boolean hasName = values.stream().anyMatch(value -> value instanceof String);
+    return new Sentence(
+        phrase,
+        values.stream()
+            .map(
+                value ->
+                    value instanceof Sentence part
+                        ? (Object) part.withoutNames()
+                        : hasName ? BLANK : value)
+            .toList());
+  }
+
   public String text(Locale locale) {
-    return format(locale)
-        .format(
+    MessageFormat format = format(locale);
+    for (int i = 0; i < values.size(); i++) {
+      if (values.get(i).equals(BLANK)) {
+        format.setFormatByArgumentIndex(i, null); // also where there would be a number
+      }
+    }
+    return format.format(
             values.stream()
                 .map(value -> value instanceof Sentence part ? part.text(locale) : value)
                 .toArray());

@@ -38,6 +38,7 @@ public abstract class SnapshotsInMemory implements SnapshotFeed {
   Map<String, String> allocators = Map.of();
   List<Sentence> alerts = List.of();
   List<Sentence> failures = List.of();
+  List<Sentence> advice = List.of();
   @Nullable Hold pause;
 
   /** Publishes why the fleet cannot go on, as the agents do: also among the alerts. */
@@ -53,10 +54,23 @@ public abstract class SnapshotsInMemory implements SnapshotFeed {
   }
 
   /** Publishes what ails the whole fleet. */
-  public void setAlert(String alert) {
+  public void setAdvice(Sentence advice) {
     lock.lock();
     try {
-      alerts = List.of(Sentence.verbatim(alert));
+      this.advice = List.of(advice);
+    } finally {
+      lock.unlock();
+    }
+  }
+
+  public void setAlert(String alert) {
+    setAlert(Sentence.verbatim(alert));
+  }
+
+  public void setAlert(Sentence alert) {
+    lock.lock();
+    try {
+      alerts = List.of(alert);
       publish(latest.robots());
     } finally {
       lock.unlock();

@@ -121,6 +121,16 @@ public abstract class TasksInMemory extends ArchiveInMemory implements Fleet {
   }
 
   @Override
+  public List<Sentence> advice() {
+    lock.lock();
+    try {
+      return advice;
+    } finally {
+      lock.unlock();
+    }
+  }
+
+  @Override
   public List<Sentence> failures() {
     lock.lock();
     try {

@@ -246,7 +246,7 @@ public final class FleetServer implements AutoCloseable {
     supervisor.recover();
     supervisor.begin();
     parts.push(supervisor);
-    fleet.addWarning(supervisor::warning);
+    fleet.addAdviser(supervisor::warning);
     fleet.addFloorListener(supervisor);
     Explorer explorer =
         new Explorer(

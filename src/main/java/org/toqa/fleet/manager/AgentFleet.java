@@ -593,6 +593,16 @@ public final class AgentFleet implements Fleet, AutoCloseable {
     monitor.addWarning(check);
   }
 
+  /** The same of what people should see to; it is no fault of the fleet's. */
+  public void addAdviser(Supplier<Optional<Sentence>> adviser) {
+    monitor.addAdviser(adviser);
+  }
+
+  @Override
+  public List<Sentence> advice() {
+    return monitor.advice();
+  }
+
   @Override
   public void showBoxes(String floor, List<BoxView> boxes) {
     for (FloorEntry entry : floors.all()) {

@@ -8,6 +8,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.function.Supplier;
+import java.util.stream.Stream;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 import org.toqa.fleet.PeriodicWork;
@@ -27,9 +28,14 @@ final class FleetMonitor implements AutoCloseable {
   private final SiteSnapshots site;
   private final List<Supplier<Optional<Sentence>>> checks = new CopyOnWriteArrayList<>();
   private final List<Supplier<Optional<Sentence>>> warnings = new CopyOnWriteArrayList<>();
+  private final List<Supplier<Optional<Sentence>>> advisers = new CopyOnWriteArrayList<>();
   private final List<Supplier<Map<String, Sentence>>> robotChecks = new CopyOnWriteArrayList<>();
   private final PeriodicWork work;
   private List<Sentence> logged = List.of();
+  private List<Sentence> lastAdvice = List.of();
+
+  /** Also what was said a period ago: who asks may have read the snapshot before. */
+  private volatile List<Sentence> advice = List.of();
 
   FleetMonitor(
       Supplier<List<FloorEntry>> floors,
@@ -49,6 +55,10 @@ final class FleetMonitor implements AutoCloseable {
     warnings.add(check);
   }
 
+  void addAdviser(Supplier<Optional<Sentence>> adviser) {
+    advisers.add(adviser);
+  }
+
   void addRobotCheck(Supplier<Map<String, Sentence>> check) {
     robotChecks.add(check);
   }
@@ -58,6 +68,11 @@ final class FleetMonitor implements AutoCloseable {
     List<Sentence> found = new ArrayList<>(ofAllFloors());
     floors.get().forEach(floor -> found.addAll(floor.failures()));
     return found;
+  }
+
+  /** What of the alerts is no fault of the fleet's. */
+  List<Sentence> advice() {
+    return advice;
   }
 
   private List<Sentence> ofAllFloors() {
@@ -77,6 +92,10 @@ final class FleetMonitor implements AutoCloseable {
     logged = failures;
     List<Sentence> everywhere = ofAllFloors();
     warnings.forEach(check -> check.get().ifPresent(everywhere::add));
+    List<Sentence> now = advisers.stream().flatMap(adviser -> adviser.get().stream()).toList();
+    everywhere.addAll(now);
+    advice = Stream.concat(lastAdvice.stream(), now.stream()).distinct().toList();
+    lastAdvice = now;
     Map<String, Sentence> ofRobots = new HashMap<>();
     robotChecks.forEach(check -> check.get().forEach(ofRobots::putIfAbsent));
     for (FloorEntry floor : floors.get()) {

@@ -10,7 +10,7 @@ import java.util.Set;
 import org.toqa.fleet.Fleet;
 import org.toqa.wording.Sentence;
 
-/** Says whether the fleet goes on, and what ails all of it. */
+/** Tells everybody whether the first site's fleet goes on and what ails it, but no names. */
 public final class HealthResource extends ApiHandler {
   public static void get(HttpServletRequest request, HttpServletResponse response)
       throws IOException {
@@ -18,11 +18,13 @@ public final class HealthResource extends ApiHandler {
     List<Sentence> failures = fleet.failures();
     Set<Sentence> alerts = new LinkedHashSet<>(failures);
     alerts.addAll(fleet.snapshots().latest().alerts());
+    alerts.removeAll(fleet.advice());
     if (alerts.isEmpty()) {
       Json.send(request, response, 200, Map.of("status", "UP"));
     } else {
       String status = failures.isEmpty() ? "DEGRADED" : "DOWN";
-      Json.send(request, response, 503, Map.of("status", status, "alerts", alerts));
+      List<Sentence> told = alerts.stream().map(Sentence::withoutNames).distinct().toList();
+      Json.send(request, response, 503, Map.of("status", status, "alerts", told));
     }
   }
 }

@@ -1,6 +1,7 @@
 package org.toqa.web.api;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.net.http.HttpRequest.BodyPublishers;
@@ -11,6 +12,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 import org.toqa.web.TestClient;
 import org.toqa.web.WebTestServer;
 import org.toqa.wording.Phrase;
+import org.toqa.wording.Sentence;
 import tools.jackson.databind.JsonNode;
 
 /** How the API reads requests: methods, bodies, paths, tokens. */
@@ -22,14 +24,40 @@ class ApiRequestsTest extends ApiTestServer {
 
   @Test
   void whatAilsTheFleetIsInItsHealth() {
-    server.fleet().setAlert("The database does not answer.");
+    server.fleet().setAlert(Phrase.DATABASE_AWAY.with());
 
     HttpResponse<String> answer = visitor.get("api/v1/health");
 
     assertEquals(503, answer.statusCode());
     JsonNode health = JSON.readTree(answer.body());
     assertEquals("DEGRADED", health.get("status").stringValue());
-    assertEquals("The database does not answer.", health.get("alerts").get(0).stringValue());
+    String reason = health.get("alerts").get(0).stringValue();
+    assertTrue(reason.startsWith("The database does not answer."), reason);
+  }
+
+  @Test
+  void healthTellsStrangersNoNames() {
+    Sentence floor = Phrase.FLOOR_IS_MISSING.with("Secret hall", 3, 4);
+    server.fleet().setFailure(Phrase.PART_FAILS.with(Phrase.DISPATCH_PART.with("Secret hall")));
+    server.fleet().setAlert(floor);
+
+    JsonNode health = JSON.readTree(visitor.get("api/v1/health").body());
+
+    assertEquals("DOWN", health.get("status").stringValue());
+    assertEquals(2, health.get("alerts").size());
+    for (JsonNode alert : health.get("alerts")) {
+      assertTrue(alert.stringValue().contains("…"), alert.stringValue());
+      assertFalse(alert.stringValue().matches(".*(Secret|[0-9]).*"), alert.stringValue());
+    }
+  }
+
+  @Test
+  void whatPeopleShouldSeeToIsNoFaultOfTheFleet() {
+    Sentence advice = Phrase.SUPERVISION_BLIND.with("s1", "hall");
+    server.fleet().setAlert(advice);
+    server.fleet().setAdvice(advice);
+
+    assertEquals("{\"status\":\"UP\"}", visitor.get("api/v1/health").body());
   }
 
   @Test
