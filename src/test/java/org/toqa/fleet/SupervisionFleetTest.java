@@ -13,6 +13,7 @@ import java.util.Map;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.Set;
+import java.util.concurrent.CompletionStage;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Predicate;
 import org.junit.jupiter.api.AfterEach;
@@ -26,7 +27,9 @@ import org.toqa.fleet.supervision.SupervisedBox;
 import org.toqa.fleet.supervision.Supervision;
 import org.toqa.fleet.supervision.SupervisionOrder;
 import org.toqa.fleet.supervision.Supervisor;
+import org.toqa.geometry.Pose;
 import org.toqa.geometry.Vec2;
+import org.toqa.grid.FloorDrawing;
 import org.toqa.grid.FloorMap;
 import org.toqa.grid.OccupancyGrid;
 import org.toqa.grid.Place;
@@ -36,6 +39,7 @@ import org.toqa.sim.SimulatedBoxes.Placed;
 import org.toqa.sim.SimulatedFloor;
 import org.toqa.sim.SimulatedStore;
 import org.toqa.store.JdbiSupervisionStore;
+import org.toqa.wording.Phrase;
 import org.toqa.wording.Sentence;
 
 /** A supervisor and two workers, real daemons over simulated bodies in a world with boxes. */
@@ -190,6 +194,32 @@ class SupervisionFleetTest {
     assertTrue(done.idleSecondsPerBox().orElseThrow() > 0);
     asksAPersonWhereABoxIs();
     cancelsWhatNobodyHasWhenItIsStopped();
+  }
+
+  @Test
+  void aSupervisorThatWasCarriedToAnotherFloorIsMissed() throws Exception {
+    assertInstanceOf(Answer.Accepted.class, start("r2"));
+    FloorDrawing attic = FloorDrawing.of(OccupancyGrid.parse("...", "...", "..."));
+    accepted(live.fleet.floorEditing().addFloor("attic", attic, "Max"));
+    accepted(live.fleet.takeOutOfService("r3", "Max"));
+    Pose there = new Pose(1.5, 1.5, 0);
+    await(
+        _ -> {
+          answer(live.fleet.moveRobot("r3", new RobotMove("attic", there), "Max"));
+          return live.fleet.snapshots("attic").orElseThrow().latest().robots().size() == 1;
+        });
+    supervisor.look();
+
+    assertEquals(
+        Optional.of(Phrase.SUPERVISION_NO_ROBOT.with("r3", "rooms")), supervisor.warning("rooms"));
+  }
+
+  private static <T> void accepted(CompletionStage<Answer<T>> asked) {
+    assertInstanceOf(Answer.Accepted.class, answer(asked));
+  }
+
+  private static <T> Answer<T> answer(CompletionStage<Answer<T>> asked) {
+    return asked.toCompletableFuture().orTimeout(10, TimeUnit.SECONDS).join();
   }
 
   private void refusesWhoCannotDoIt() throws Exception {

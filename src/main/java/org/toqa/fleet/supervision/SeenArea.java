@@ -198,20 +198,26 @@ final class SeenArea {
         packed.write(part, 0, deflater.deflate(part));
       }
       String text = Base64.getEncoder().encodeToString(packed.toByteArray());
-      return text.length() > LONGEST_TEXT ? "" : text;
+      return text.length() > LONGEST_TEXT ? "" : geometry() + text;
     } finally {
       deflater.end();
     }
   }
 
-  /** Of another map than this nothing is kept that is no free cell. */
+  /** Which cells these are: of a map of another size or elsewhere nothing is kept. */
+  private String geometry() {
+    return walls.width() + "x" + walls.height() + " of " + walls.resolution() + " at "
+        + walls.origin().x() + "," + walls.origin().y() + ": ";
+  }
+
+  /** What is a wall now is none of them. */
   private BitSet unpack(@Nullable String text) {
-    if (text == null || text.isEmpty()) {
+    if (text == null || !text.startsWith(geometry())) {
       return new BitSet();
     }
     Inflater inflater = new Inflater();
     try {
-      inflater.setInput(Base64.getDecoder().decode(text));
+      inflater.setInput(Base64.getDecoder().decode(text.substring(geometry().length())));
       byte[] bytes = new byte[(walls.width() * walls.height() + 7) / 8];
       int length = inflater.inflate(bytes);
       BitSet cells = BitSet.valueOf(ByteBuffer.wrap(bytes, 0, length));

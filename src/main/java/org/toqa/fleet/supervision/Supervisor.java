@@ -8,9 +8,11 @@ import java.util.ArrayList;
 import java.util.BitSet;
 import java.util.Collection;
 import java.util.HashMap;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import java.util.TreeMap;
 import java.util.UUID;
 import java.util.concurrent.CompletableFuture;
@@ -37,6 +39,7 @@ import org.toqa.fleet.FloorListener;
 import org.toqa.fleet.FloorView.BoxView;
 import org.toqa.fleet.RobotState;
 import org.toqa.fleet.RobotView;
+import org.toqa.fleet.SnapshotFeed;
 import org.toqa.fleet.TaskArchive;
 import org.toqa.fleet.TaskOrder;
 import org.toqa.fleet.TaskOrder.Where;
@@ -92,6 +95,9 @@ public final class Supervisor implements FloorListener, AutoCloseable {
   /** Metres from a box within which robots that carry it together come to it. */
   private static final double BESIDE = 0.5;
 
+  /** Of a box in one look; the fleet checks paths and room of each. */
+  private static final int MOST_TRIES = 20;
+
   /** A level of priority counts as a minute of waiting: before all boxes for one. */
   private static final int FOR_TWO = 60;
 
@@ -119,6 +125,9 @@ public final class Supervisor implements FloorListener, AutoCloseable {
     final SeenArea seen;
     final DrivableArea area;
     final Map<Integer, Refusal> refusals = new HashMap<>();
+
+    /** By box that was not refused everywhere yet, with which of its orders to go on. */
+    final Map<Integer, Integer> nextOrders = new HashMap<>();
 
     /** By box, where those lie that are in the way of robots. */
     Map<Integer, Vec2> lying = Map.of();
@@ -419,15 +428,17 @@ public final class Supervisor implements FloorListener, AutoCloseable {
   }
 
   private void look(Supervision before) {
-    FleetSnapshot snapshot = fleet.snapshots().latest();
+    Optional<FleetSnapshot> onFloor = fleet.snapshots(before.floor()).map(SnapshotFeed::latest);
     Optional<FloorMap> floor =
         fleet.floors().stream().filter(f -> f.name().equals(before.floor())).findFirst();
-    Optional<RobotView> supervisor = SupervisionRules.robot(snapshot, before.supervisor());
+    Optional<RobotView> supervisor =
+        onFloor.flatMap(snapshot -> SupervisionRules.robot(snapshot, before.supervisor()));
     if (floor.isEmpty() || supervisor.isEmpty()) {
       Sentence gone = Phrase.SUPERVISION_NO_ROBOT.with(before.supervisor(), before.floor());
       reports.put(before.floor(), new SupervisionReport(gone, gone, Map.of(), false));
       return;
     }
+    FleetSnapshot snapshot = onFloor.get();
     Watch watch = watch(before, floor.get(), supervisor.get());
     SupervisionRules rules = new SupervisionRules(threshold(before, snapshot));
     SupervisionRules.Step step =
@@ -566,19 +577,30 @@ public final class Supervisor implements FloorListener, AutoCloseable {
       watch.behind.put(box.number(), watch.lying); // until one of them is carried away
       return now;
     }
-    String failing = "";
-    for (TaskOrder order : orders) {
-      if (!failing.isEmpty() && failing.equals(String.valueOf(order.start()))) {
-        continue; // from there no goal helps
+    Set<Where> failing = new HashSet<>();
+    int tries = 0;
+    for (int next = watch.nextOrders.getOrDefault(box.number(), 0); next < orders.size(); next++) {
+      TaskOrder order = orders.get(next);
+      if (failing.contains(order.start()) || failing.contains(order.goal())) {
+        continue; // no other end helps
+      }
+      if (tries++ == MOST_TRIES) {
+        watch.nextOrders.put(box.number(), next);
+        return now; // others have their turn
       }
       switch (await(fleet.submit(order, now.user(), key))) {
         case Answer.Accepted<TaskView>(TaskView task) -> {
           watch.refusals.remove(box.number());
+          watch.nextOrders.remove(box.number());
           return ordered(now, box, task.id());
         }
         case Answer.Rejected<TaskView>(String field, Sentence sentence) -> {
           why = sentence;
-          failing = isOfStart(field) ? String.valueOf(order.start()) : "";
+          if (isOf(field, "start", "arm.pick")) {
+            failing.add(order.start());
+          } else if (isOf(field, "goal", "arm.place")) {
+            failing.add(order.goal());
+          }
         }
         case Answer.Conflict<TaskView>(Sentence sentence, var _) -> why = sentence;
         case Answer.Unknown<TaskView>(Sentence sentence) -> why = sentence;
@@ -589,12 +611,13 @@ public final class Supervisor implements FloorListener, AutoCloseable {
         }
       }
     }
+    watch.nextOrders.remove(box.number());
     watch.refusals.put(box.number(), new Refusal(fleetClock.instant(), why));
     return now;
   }
 
-  private static boolean isOfStart(@Nullable String field) {
-    return "start".equals(field) || "arm.pick".equals(field);
+  private static boolean isOf(@Nullable String field, String place, String action) {
+    return place.equals(field) || action.equals(field);
   }
 
   private Supervision ordered(Supervision now, SupervisedBox box, long task) {

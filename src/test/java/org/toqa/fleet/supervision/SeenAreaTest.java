@@ -56,6 +56,23 @@ class SeenAreaTest {
     assertTrue(views > 1 && views < 10, views + " views");
   }
 
+  @Test
+  void whatWasSeenCountsOnTheSameCellsAlone() {
+    seen.look(WEST, RANGE);
+
+    assertTrue(of(ROOMS, seen.text()).share() > 0);
+    Vec2 elsewhere = new Vec2(1, 0);
+    OccupancyGrid shifted =
+        new OccupancyGrid(ROOMS.width(), ROOMS.height(), 1, elsewhere, ROOMS.occupied());
+    assertEquals(0, of(shifted, seen.text()).share());
+    assertEquals(0, of(OccupancyGrid.parse(".........", "........."), seen.text()).share());
+  }
+
+  private static SeenArea of(OccupancyGrid walls, String text) {
+    FloorMap floor = new FloorMap("rooms", walls, List.of(), List.of(), List.of());
+    return new SeenArea(floor, CLEARANCE, text);
+  }
+
   /** It was taken for seen what lies round it, behind walls too: boxes there were never found. */
   @Test
   void aViewThatIsGivenUpLeavesWhatCanBeSeenFromOthers() {

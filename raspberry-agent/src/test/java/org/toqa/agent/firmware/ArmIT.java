@@ -48,6 +48,9 @@ class ArmIT {
   private static final int SECOND = 50;
   private static final double SPAN = Math.toRadians(320);
 
+  /** Near enough by a potentiometer, of whose span a step of the converter is 1/1024. */
+  private static final double ARRIVED = 0.01 + SPAN / 1024;
+
   private static final Arm ARM =
       new Arm(
           0.3,
@@ -147,8 +150,8 @@ class ArmIT {
       session.drive.expectLoad(1.4);
       session.control.begin(ArmAction.PICK, PLACE, false);
       session.runUntil(ArmStep.GRASP);
-      assertEquals(PLACE.shoulder(), session.truth(0), 0.012); // a servo is told every 20 ms
-      assertEquals(PLACE.elbow(), session.truth(1), 0.012);
+      assertEquals(PLACE.shoulder(), session.truth(0), ARRIVED);
+      assertEquals(PLACE.elbow(), session.truth(1), ARRIVED);
       ArmOutcome picked = session.runToItsEnd();
       assertEquals(null, picked.failure());
       assertEquals(1.4, picked.weight(), 0.01);
@@ -317,7 +320,7 @@ class ArmIT {
       session.run(SECOND);
       session.control.begin(ArmAction.PICK, new JointAngles(0.5, 1), false);
       session.runUntil(ArmStep.GRASP);
-      assertEquals(-1, session.truth(1), 0.012);
+      assertEquals(-1, session.truth(1), ARRIVED);
       session.runToItsEnd();
       double before = session.body.odometry().x();
       for (int i = 0; i < 2 * SECOND; i++) {

@@ -9,8 +9,8 @@ import org.toqa.sim.SimulatedMicrocontroller.Board;
 public enum FirmwareBuild {
   LM629_AT_16_MHZ("toqa.hex", "lm629", 16_000_000, 5_700),
   PWM_AT_16_MHZ("toqa-pwm.hex", "pwm", 16_000_000, 5_700),
-  LM629_AT_8_MHZ("8mhz/toqa.hex", "lm629", 8_000_000, 9_700),
-  PWM_AT_8_MHZ("8mhz/toqa-pwm.hex", "pwm", 8_000_000, 9_700);
+  LM629_AT_8_MHZ("8mhz/toqa.hex", "lm629", 8_000_000, 9_800),
+  PWM_AT_8_MHZ("8mhz/toqa-pwm.hex", "pwm", 8_000_000, 9_800);
 
   private final String hex;
   private final String drive;
