@@ -4,6 +4,7 @@ import java.time.Instant;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.CompletionStage;
+import org.jspecify.annotations.Nullable;
 import org.toqa.grid.FloorDrawing;
 import org.toqa.grid.FloorMap;
 
@@ -37,8 +38,13 @@ public interface FloorEditing {
   CompletionStage<Answer<FloorDraft>> saveDraft(
       String floor, FloorDrawing drawing, long seen, String user);
 
-  /** Forgets the draft; nothing is wrong where there is none. */
-  CompletionStage<Answer<FloorDraft>> discardDraft(String floor, String user);
+  /**
+   * Forgets the draft; nothing is wrong where there is none.
+   *
+   * @param seen the revision that the user has seen, outdated if there is another one by now; null:
+   *     whichever there is
+   */
+  CompletionStage<Answer<FloorDraft>> discardDraft(String floor, @Nullable Long seen, String user);
 
   /** What publishing this drawing would meet; nothing is stored. */
   CompletionStage<Answer<List<MapProblem>>> check(String floor, FloorDrawing drawing, String user);

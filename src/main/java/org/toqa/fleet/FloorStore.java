@@ -43,8 +43,13 @@ public interface FloorStore {
   Optional<FloorDraft> saveDraft(
       String floor, FloorDrawing drawing, long seen, String user, Instant at);
 
-  /** Nothing happens where there is none. */
-  void discardDraft(String floor);
+  /**
+   * Nothing happens where there is none.
+   *
+   * @param seen its revision; null: whichever it is
+   * @return false: there is another revision by now, and nothing has changed
+   */
+  boolean discardDraft(String floor, @Nullable Long seen);
 
   /**
    * Puts a draft in force, and forgets it.

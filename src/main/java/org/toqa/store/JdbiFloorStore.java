@@ -194,13 +194,17 @@ public final class JdbiFloorStore implements FloorStore {
   }
 
   @Override
-  public void discardDraft(String floor) {
-    sql.inTransaction(
+  public boolean discardDraft(String floor, @Nullable Long seen) {
+    return sql.inTransaction(
         h -> {
+          Optional<Long> now = revision(h, floor, "for update");
+          if (seen != null && !now.equals(Optional.of(seen))) {
+            return false;
+          }
           if (h.execute("delete from floor_drafts where floor = ?", floor) > 0) {
             var _ = advance(h, floor, null);
           }
-          return null;
+          return true;
         });
   }
 

@@ -124,7 +124,7 @@ export class Publishing {
 
   async #discard() {
     $('#discarding').close();
-    const {status, body} = await send('DELETE', this.#draft.path);
+    const {status, body} = await send('DELETE', `${this.#draft.path}?revision=${this.#draft.revision}`);
     if (status === 204) {
       const now = await this.#draft.load();
       this.#editor.edits.replace(now.drawing);

@@ -6,6 +6,7 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import org.jspecify.annotations.Nullable;
 import org.toqa.grid.FloorDrawing;
 import org.toqa.grid.FloorMap;
 
@@ -14,6 +15,7 @@ public final class FloorsInMemory implements FloorStore {
   private final List<FloorMap> floors = new ArrayList<>();
   private final Map<String, FloorDraft> drafts = new HashMap<>();
   private Runnable whileRemoving = () -> {};
+  private Runnable afterChange = () -> {};
 
   private FloorsInMemory(List<FloorMap> floors) {
     this.floors.addAll(floors);
@@ -30,7 +32,15 @@ public final class FloorsInMemory implements FloorStore {
 
   @Override
   public synchronized boolean addFloor(FloorMap map, Change change) {
-    return floors.stream().noneMatch(f -> f.name().equalsIgnoreCase(map.name())) && floors.add(map);
+    boolean isNew =
+        floors.stream().noneMatch(f -> f.name().equalsIgnoreCase(map.name())) && floors.add(map);
+    afterChange.run();
+    return isNew;
+  }
+
+  /** What happens after a floor was added or removed, and before that is known. */
+  synchronized void setAfterChange(Runnable then) {
+    afterChange = then;
   }
 
   /** What happens after it is decided that a floor is removed, and before it is. */
@@ -42,6 +52,7 @@ public final class FloorsInMemory implements FloorStore {
   public synchronized void removeFloor(String floor, Change change) {
     whileRemoving.run();
     floors.removeIf(f -> f.name().equals(floor));
+    afterChange.run();
   }
 
   private Optional<FloorMap> find(String floor) {
@@ -71,7 +82,10 @@ public final class FloorsInMemory implements FloorStore {
   }
 
   @Override
-  public synchronized void discardDraft(String floor) {
+  public synchronized boolean discardDraft(String floor, @Nullable Long seen) {
+    if (seen != null && draft(floor).filter(draft -> draft.revision() == seen).isEmpty()) {
+      return false;
+    }
     draft(floor)
         .filter(FloorDraft::isDraft)
         .ifPresent(
@@ -84,6 +98,7 @@ public final class FloorsInMemory implements FloorStore {
                         find(floor).orElseThrow().drawing(),
                         null,
                         null)));
+    return true;
   }
 
   @Override

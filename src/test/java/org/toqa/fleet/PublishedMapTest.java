@@ -2,6 +2,7 @@ package org.toqa.fleet;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.nio.file.Path;
@@ -10,6 +11,7 @@ import java.util.ArrayList;
 import java.util.BitSet;
 import java.util.List;
 import java.util.concurrent.CompletionStage;
+import java.util.concurrent.ExecutionException;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Supplier;
 import org.junit.jupiter.api.AfterEach;
@@ -24,6 +26,7 @@ import org.toqa.grid.FloorMap;
 import org.toqa.grid.OccupancyGrid;
 import org.toqa.grid.Place;
 import org.toqa.mission.TaskState;
+import org.toqa.persistence.StoreException;
 import org.toqa.sim.SimulatedFloor;
 import org.toqa.wording.Phrase;
 import org.toqa.wording.Sentence;
@@ -124,6 +127,38 @@ class PublishedMapTest {
     assertEquals(
         List.of("hall", "hall"), live.store.robots().stream().map(RobotRecord::floor).toList());
     assertEquals("hall", accepted(live.fleet.putInService("r2", "Max")).floor());
+  }
+
+  /** The database went away in a commit that it had done. */
+  @Test
+  void aFloorIsThereOrGoneAsIsStoredThoughTheCommitWasNotAnswered() throws Exception {
+    FloorEditing editing = live.fleet.floorEditing();
+    FloorDrawing cellar = FloorDrawing.of(live.fleet.floors().getFirst().drawing().walls());
+    live.floors.setAfterChange(
+        () -> {
+          live.floors.setAfterChange(() -> {});
+          throw new StoreException("The connection broke.", null);
+        });
+    assertThrows(
+        ExecutionException.class,
+        () -> editing.addFloor("cellar", cellar, "Max").toCompletableFuture().get(10, TimeUnit.SECONDS));
+    awaitFloors(List.of("hall", "cellar"));
+    assertTrue(editing.draft("cellar").isPresent());
+
+    live.floors.setAfterChange(
+        () -> {
+          live.floors.setAfterChange(() -> {});
+          throw new StoreException("The connection broke.", null);
+        });
+    assertThrows(
+        ExecutionException.class,
+        () -> editing.removeFloor("cellar", "Max").toCompletableFuture().get(10, TimeUnit.SECONDS));
+    awaitFloors(List.of("hall"));
+    accepted(editing.addFloor("cellar", cellar, "Max"));
+  }
+
+  private void awaitFloors(List<String> names) throws InterruptedException {
+    live.await(_ -> live.fleet.floors().stream().map(FloorMap::name).toList().equals(names));
   }
 
   /** What is asked while a floor is being removed is answered as if it were gone. */

@@ -9,6 +9,7 @@ import java.util.TreeMap;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionStage;
 import java.util.function.Supplier;
+import org.jspecify.annotations.Nullable;
 import org.toqa.fleet.Answer;
 import org.toqa.fleet.FloorDraft;
 import org.toqa.fleet.FloorEditing;
@@ -114,10 +115,14 @@ final class FloorsInMemory implements FloorEditing {
   }
 
   @Override
-  public synchronized CompletionStage<Answer<FloorDraft>> discardDraft(String name, String user) {
+  public synchronized CompletionStage<Answer<FloorDraft>> discardDraft(
+      String name, @Nullable Long seen, String user) {
     return onFloor(
         name,
         () -> {
+          if (seen != null && draft(name).orElseThrow().revision() != seen) {
+            return new Answer.Outdated<>();
+          }
           drafts.remove(name);
           nextRevision(name);
           return new Answer.Accepted<>(draft(name).orElseThrow());

@@ -138,9 +138,7 @@ final class FloorEditor implements FloorEditing, AutoCloseable {
             return new Answer.Conflict<>(taken.get(), null);
           }
           FloorMap map = new FloorMap(name, drawing, margins());
-          if (!store.addFloor(
-              map,
-              change(EventKind.FLOOR_ADDED, user, Phrase.FLOOR_ADDED.with(user, name), name))) {
+          if (!isStored(map, user)) {
             return new Answer.Rejected<>("name", Phrase.FLOOR_NAME_TAKEN.with(name));
           }
           try {
@@ -150,6 +148,18 @@ final class FloorEditor implements FloorEditing, AutoCloseable {
           }
           return new Answer.Accepted<>(map);
         });
+  }
+
+  /** Whether it is stored by now; else its name is taken. */
+  private boolean isStored(FloorMap map, String user) {
+    String name = map.name();
+    try {
+      return store.addFloor(
+          map, change(EventKind.FLOOR_ADDED, user, Phrase.FLOOR_ADDED.with(user, name), name));
+    } catch (StoreException e) {
+      reconcileDirectory(name);
+      throw e;
+    }
   }
 
   private Margins margins() {
@@ -179,10 +189,7 @@ final class FloorEditor implements FloorEditing, AutoCloseable {
               if (objection.get() != null) {
                 return false;
               }
-              store.removeFloor(
-                  name,
-                  change(
-                      EventKind.FLOOR_REMOVED, user, Phrase.FLOOR_REMOVED.with(user, name), name));
+              removeStored(name, user);
               floors.remove(entry); // from now on nobody finds it
               return true;
             });
@@ -193,6 +200,17 @@ final class FloorEditor implements FloorEditing, AutoCloseable {
     return isRemoved || why == null
         ? new Answer.Accepted<>(name)
         : new Answer.Conflict<>(why, null);
+  }
+
+  private void removeStored(String floor, String user) {
+    try {
+      store.removeFloor(
+          floor,
+          change(EventKind.FLOOR_REMOVED, user, Phrase.FLOOR_REMOVED.with(user, floor), floor));
+    } catch (StoreException e) {
+      var _ = changes.schedule(() -> reconcileDirectory(floor), 0, TimeUnit.MILLISECONDS);
+      throw e;
+    }
   }
 
   private static void tellRemoved(FloorListener listener, String floor) {
@@ -263,13 +281,14 @@ final class FloorEditor implements FloorEditing, AutoCloseable {
   }
 
   @Override
-  public CompletionStage<Answer<FloorDraft>> discardDraft(String floor, String user) {
+  public CompletionStage<Answer<FloorDraft>> discardDraft(
+      String floor, @Nullable Long seen, String user) {
     return onFloor(
         floor,
-        entry -> {
-          store.discardDraft(floor);
-          return new Answer.Accepted<>(store.draft(floor).orElseThrow());
-        });
+        entry ->
+            store.discardDraft(floor, seen)
+                ? new Answer.Accepted<>(store.draft(floor).orElseThrow())
+                : new Answer.Outdated<>());
   }
 
   private <T> CompletionStage<Answer<T>> onFloor(
@@ -379,6 +398,33 @@ final class FloorEditor implements FloorEditing, AutoCloseable {
     } catch (IllegalStateException e) {
       log.error("{}", e.getMessage(), e);
     }
+  }
+
+  /** Likewise whether a floor was added or removed. */
+  private void reconcileDirectory(String floor) {
+    try {
+      Optional<FloorMap> stored =
+          store.floors().stream().filter(map -> map.name().equals(floor)).findFirst();
+      Optional<FloorEntry> entry = floors.find(floor);
+      if (stored.isPresent() && entry.isEmpty()) {
+        starter.accept(new FloorMap(floor, stored.get().drawing(), margins()));
+      } else if (stored.isEmpty() && entry.isPresent()) {
+        forget(entry.get());
+      }
+    } catch (StoreException e) {
+      var _ = changes.schedule(() -> reconcileDirectory(floor), RETRY.toMillis(), TimeUnit.MILLISECONDS);
+    } catch (IllegalStateException e) {
+      log.error("{}", e.getMessage(), e);
+    }
+  }
+
+  private void forget(FloorEntry removed) {
+    removed.remove(
+        () -> {
+          floors.remove(removed);
+          return true;
+        });
+    listeners.forEach(listener -> tellRemoved(listener, removed.name()));
   }
 
   private void startThoseThatAwaitStore() {

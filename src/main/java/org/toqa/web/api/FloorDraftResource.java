@@ -17,6 +17,7 @@ import org.toqa.web.FloorSummary;
 import org.toqa.web.RequestPath;
 import org.toqa.web.Texts;
 import org.toqa.web.access.Caller;
+import org.toqa.web.input.FieldErrors;
 import org.toqa.web.input.JsonFields;
 import org.toqa.wording.Phrase;
 
@@ -70,9 +71,13 @@ public final class FloorDraftResource extends ApiHandler {
   public static void discard(HttpServletRequest request, HttpServletResponse response)
       throws IOException {
     String floor = draft(request).floor();
-    acceptedValue(
-        request,
-        FleetAnswers.await(editing(request).discardDraft(floor, Caller.of(request).name())));
+    FieldErrors errors = new FieldErrors();
+    Long seen = revision(request, errors);
+    throwIfAny(errors);
+    String user = Caller.of(request).name();
+    var _ =
+        currentValue(
+            request, FleetAnswers.await(editing(request).discardDraft(floor, seen, user)));
     response.setStatus(HttpServletResponse.SC_NO_CONTENT);
   }
 
@@ -132,6 +137,16 @@ public final class FloorDraftResource extends ApiHandler {
         .filter(MapProblem::isBlocking)
         .map(MapProblemJson::of)
         .toList();
+  }
+
+  /** Null: none is given. */
+  private static @Nullable Long revision(HttpServletRequest request, FieldErrors errors) {
+    String given = request.getParameter("revision");
+    if (given != null && !given.matches("[0-9]{1,15}")) {
+      errors.add("revision", Texts.of(request).get("error.draft.revision"));
+      return null;
+    }
+    return given == null ? null : Long.valueOf(given);
   }
 
   private static long revision(JsonFields fields) {

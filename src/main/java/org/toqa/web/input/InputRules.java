@@ -439,6 +439,8 @@ public final class InputRules {
     String name = given == null ? "" : given.strip();
     if (!USER_NAME.matcher(name).matches()) {
       refuse(field, "error.userName");
+    } else if (name.contains("@") && Site.isName(name.substring(name.lastIndexOf('@') + 1))) {
+      refuse(field, "error.userName.site"); // or it would be in the way of who has it there
     }
     return name;
   }

@@ -25,6 +25,7 @@ import org.toqa.app.config.SettingSource;
 import org.toqa.testbed.ApiClient;
 import org.toqa.testbed.CheapPassword;
 import org.toqa.testbed.Tally;
+import org.toqa.accounts.Role;
 import org.toqa.web.TestClient;
 import org.toqa.web.WebTestServer;
 import org.toqa.web.route.Rights;
@@ -89,9 +90,7 @@ class SitesTest {
   void nameWithAnAtOfTheFirstSiteStaysAsItIs() throws Exception {
     run(
         (sites, root) -> {
-          try (ApiClient max = new ApiClient(root, "Max", PASSWORD)) {
-            max.post("users", Map.of("name", "ann@north", "password", PASSWORD, "role", "CLERK"));
-          }
+          sites.first().accounts().add("ann@north", WebTestServer.PASSWORD_HASH, Role.CLERK, "Max");
           addSite(root, "north");
           try (ApiClient ann = new ApiClient(root, "ann@north", PASSWORD);
               ApiClient nora = new ApiClient(root, "nora@north", PASSWORD)) {

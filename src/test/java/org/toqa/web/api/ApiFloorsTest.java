@@ -111,7 +111,11 @@ class ApiFloorsTest extends WebServerTest {
     assertTrue(late.get("detail").asString().startsWith("Max has changed the draft"));
     assertEquals(revision, get("floors/hall/draft", 200).get("revision").asLong());
 
-    assertEquals(204, manager.sendJson("DELETE", "api/v1/floors/hall/draft", "").statusCode());
+    String draft = "api/v1/floors/hall/draft?revision=";
+    assertEquals(412, manager.sendJson("DELETE", draft + (revision - 1), "").statusCode());
+    assertEquals(422, manager.sendJson("DELETE", draft + "x", "").statusCode());
+    assertEquals(revision, get("floors/hall/draft", 200).get("revision").asLong());
+    assertEquals(204, manager.sendJson("DELETE", draft + revision, "").statusCode());
     JsonNode gone = put(revision, 412);
     assertTrue(gone.get("detail").asString().contains("published or discarded"));
   }

@@ -45,6 +45,8 @@ class ApiUsersTest extends ApiTestServer {
         "{\"name\":\"Omar\",\"password\":\"password123\"}|422|This password is easy to guess",
         "{\"name\":\"Omarovich\",\"password\":\"omarovich1\"}|422|This password is easy to guess",
         "{\"name\":\"Omar\",\"password\":\"a long good one\",\"role\":\"KING\"}|422|one of VIEWER, CLERK, OPERATOR, MANAGER",
+        "{\"name\":\"nora@north\",\"password\":\"a long good one\"}|422|the name of a site",
+        "{\"name\":\"nora@2\",\"password\":\"a long good one\"}|422|the name of a site",
         "{\"name\":\"MAX\",\"password\":\"a long good one\"}|409|This name is already in use",
         "{\"name\":\"Omar\",\"password\":\"a long good one\",\"boss\":1}|422|boss"
       })
