@@ -11,7 +11,9 @@ public final class MapLimits {
   /** Bytes of a YAML file from anywhere. */
   static final int MAX_YAML_BYTES = 1 << 20;
 
-  /** Of one that was written here: more than all kinds of places and areas with the longest names. */
+  /**
+   * Of one that was written here: more than all kinds of places and areas with the longest names.
+   */
   static final int MAX_STORED_YAML_BYTES = 1 << 23;
 
   /** Metres of a cell's side. */

@@ -107,9 +107,9 @@ public record Sentence(Phrase phrase, List<Object> values) {
       }
     }
     return format.format(
-            values.stream()
-                .map(value -> value instanceof Sentence part ? part.text(locale) : value)
-                .toArray());
+        values.stream()
+            .map(value -> value instanceof Sentence part ? part.text(locale) : value)
+            .toArray());
   }
 
   /**

@@ -141,7 +141,11 @@ class PublishedMapTest {
         });
     assertThrows(
         ExecutionException.class,
-        () -> editing.addFloor("cellar", cellar, "Max").toCompletableFuture().get(10, TimeUnit.SECONDS));
+        () ->
+            editing
+                .addFloor("cellar", cellar, "Max")
+                .toCompletableFuture()
+                .get(10, TimeUnit.SECONDS));
     awaitFloors(List.of("hall", "cellar"));
     assertTrue(editing.draft("cellar").isPresent());
 

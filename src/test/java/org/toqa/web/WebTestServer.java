@@ -277,11 +277,7 @@ public final class WebTestServer implements AutoCloseable {
             InstantSource.system());
     explorer =
         new Explorer(
-            new JdbiExplorationStore(jdbi),
-            fleet,
-            new Semaphore(1),
-            InstantSource.system(),
-            () -> explorationSpeed);
+            new JdbiExplorationStore(jdbi), fleet, InstantSource.system(), () -> explorationSpeed);
     baseDir = Files.createTempDirectory("toqa-web-test");
     network =
         new Network(

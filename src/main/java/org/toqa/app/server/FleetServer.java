@@ -250,11 +250,7 @@ public final class FleetServer implements AutoCloseable {
     fleet.addFloorListener(supervisor);
     Explorer explorer =
         new Explorer(
-            new JdbiExplorationStore(database.jdbi()),
-            fleet,
-            shared.explorations(),
-            wallClock,
-            () -> Explorer.WATCHED);
+            new JdbiExplorationStore(database.jdbi()), fleet, wallClock, () -> Explorer.WATCHED);
     explorer.recover();
     parts.push(explorer);
     fleet.addFloorListener(explorer);

@@ -21,7 +21,6 @@ import org.toqa.web.RequestLimit;
  * @param throttle of guesses at all sites together
  * @param telemetry the broker of all sites
  * @param laboratory with one permit: of all sites together one experiment runs at a time
- * @param explorations with one permit: of all sites together one floor is explored at a time
  * @param simulated the robots that live in this process, once they do
  */
 record ServerParts(
@@ -33,7 +32,6 @@ record ServerParts(
     InstantSource clock,
     ServerTelemetry telemetry,
     Semaphore laboratory,
-    Semaphore explorations,
     AtomicReference<@Nullable SimulatedFleet> simulated) {
 
   /**
@@ -55,7 +53,6 @@ record ServerParts(
         wallClock,
         ServerTelemetry.start(configuration.broker()),
         new Semaphore(1, true),
-        new Semaphore(1),
         new AtomicReference<>());
   }
 

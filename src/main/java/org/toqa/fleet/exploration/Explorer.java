@@ -77,7 +77,10 @@ public final class Explorer implements FloorListener, AutoCloseable {
 
   private final ExplorationStore store;
   private final Fleet fleet;
-  private final Semaphore slot;
+
+  /** One at a time. */
+  private final Semaphore slot = new Semaphore(1);
+
   private final InstantSource clock;
   private final DoubleSupplier speed;
   private final Map<String, Exploration> latest = new ConcurrentHashMap<>();
@@ -107,18 +110,11 @@ public final class Explorer implements FloorListener, AutoCloseable {
   }
 
   /**
-   * @param slot with one permit, which all sites of the server share
    * @param speed simulated seconds a second, asked at each step; infinite: as fast as it can
    */
-  public Explorer(
-      ExplorationStore store,
-      Fleet fleet,
-      Semaphore slot,
-      InstantSource clock,
-      DoubleSupplier speed) {
+  public Explorer(ExplorationStore store, Fleet fleet, InstantSource clock, DoubleSupplier speed) {
     this.store = store;
     this.fleet = fleet;
-    this.slot = slot;
     this.clock = clock;
     this.speed = speed;
     thread.setExecuteExistingDelayedTasksAfterShutdownPolicy(false);

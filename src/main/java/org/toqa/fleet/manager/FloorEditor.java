@@ -412,7 +412,9 @@ final class FloorEditor implements FloorEditing, AutoCloseable {
         forget(entry.get());
       }
     } catch (StoreException e) {
-      var _ = changes.schedule(() -> reconcileDirectory(floor), RETRY.toMillis(), TimeUnit.MILLISECONDS);
+      var _ =
+          changes.schedule(
+              () -> reconcileDirectory(floor), RETRY.toMillis(), TimeUnit.MILLISECONDS);
     } catch (IllegalStateException e) {
       log.error("{}", e.getMessage(), e);
     }

@@ -206,8 +206,16 @@ final class SeenArea {
 
   /** Which cells these are: of a map of another size or elsewhere nothing is kept. */
   private String geometry() {
-    return walls.width() + "x" + walls.height() + " of " + walls.resolution() + " at "
-        + walls.origin().x() + "," + walls.origin().y() + ": ";
+    return walls.width()
+        + "x"
+        + walls.height()
+        + " of "
+        + walls.resolution()
+        + " at "
+        + walls.origin().x()
+        + ","
+        + walls.origin().y()
+        + ": ";
   }
 
   /** What is a wall now is none of them. */

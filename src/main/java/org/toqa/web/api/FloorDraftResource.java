@@ -76,8 +76,7 @@ public final class FloorDraftResource extends ApiHandler {
     throwIfAny(errors);
     String user = Caller.of(request).name();
     var _ =
-        currentValue(
-            request, FleetAnswers.await(editing(request).discardDraft(floor, seen, user)));
+        currentValue(request, FleetAnswers.await(editing(request).discardDraft(floor, seen, user)));
     response.setStatus(HttpServletResponse.SC_NO_CONTENT);
   }
 
