@@ -65,8 +65,8 @@ public record RobotView(
   /**
    * What a robot said of itself last.
    *
-   * @param pose map frame; null while it was never heard of, and after a person said that it does
-   *     not stand there any more
+   * @param pose map frame, where it was when it knew that last; null while it never did, and after
+   *     a person said that it does not stand there any more
    * @param battery 0 to 1; null while it was never heard of
    * @param lastSeen when that was; null: never
    */

@@ -3,6 +3,7 @@ package org.toqa.fleet;
 import java.util.List;
 import java.util.function.Predicate;
 import org.jspecify.annotations.Nullable;
+import org.toqa.geometry.Pose;
 import org.toqa.geometry.Vec2;
 import org.toqa.link.message.AgentMessage.Fault;
 import org.toqa.link.message.AgentMessage.RoomUse;
@@ -43,7 +44,9 @@ final class ScriptedCondition {
    */
   boolean isOutOfReach;
 
-  boolean localised = true;
+  /** The pose that it reports while it does not know where it is; null: it knows. */
+  @Nullable Pose odometry;
+
   boolean stuck;
   boolean endsBeforeNextChange;
   boolean refusesClear;

@@ -37,6 +37,7 @@ import org.toqa.link.message.ServerMessage.Extend;
 import org.toqa.link.message.ServerMessage.Follow;
 import org.toqa.link.message.ServerMessage.Hold;
 import org.toqa.link.message.ServerMessage.Lead;
+import org.toqa.link.message.ServerMessage.Locate;
 import org.toqa.link.message.ServerMessage.Ping;
 import org.toqa.link.message.ServerMessage.Release;
 import org.toqa.link.message.ServerMessage.Resume;
@@ -176,9 +177,30 @@ public final class ScriptedRobot {
     condition.isOutOfReach = false;
   }
 
-  /** It does not know any more where it is. */
+  /** Its body is powered up anew: it has no drive, and does not know any more where it is. */
   synchronized void forgetPlace() {
-    condition.localised = false;
+    forgetPlace(new Pose(0, 0, 0));
+  }
+
+  /**
+   * The same.
+   *
+   * @param odometry the pose that it reports then, in no frame that anybody knows
+   */
+  synchronized void forgetPlace(Pose odometry) {
+    driveBlindly(odometry);
+    drive.abandon();
+    formation.cancel();
+  }
+
+  /** It does not know any more where it is, and drives on all the same, as none should. */
+  synchronized void driveBlindly(Pose odometry) {
+    condition.odometry = odometry;
+  }
+
+  /** It finds out by itself where it is. */
+  synchronized void findPlace() {
+    condition.odometry = null;
   }
 
   synchronized void speakAgain() {
@@ -397,6 +419,14 @@ public final class ScriptedRobot {
     return pose;
   }
 
+  private boolean isLocalised() {
+    return condition.odometry == null;
+  }
+
+  private Pose reportedPose() {
+    return Objects.requireNonNullElse(condition.odometry, pose);
+  }
+
   private void keepPlace() {
     Follow order = formation.following();
     if (order == null) {
@@ -447,6 +477,10 @@ public final class ScriptedRobot {
         say(new Reject(command.seq(), "No."));
         return;
       }
+      if (!isLocalised() && isDriveOrder(command)) {
+        say(new Reject(command.seq(), "The robot does not know where it is."));
+        return;
+      }
       if (isTooFast(command)) {
         say(new Reject(command.seq(), "The robot cannot drive so fast."));
         return;
@@ -454,6 +488,10 @@ public final class ScriptedRobot {
       obey(command);
       say(new Ack(command.seq()));
     }
+  }
+
+  private static boolean isDriveOrder(Command command) {
+    return command instanceof Drive || command instanceof Lead || command instanceof Follow;
   }
 
   private boolean isTooFast(Command command) {
@@ -500,6 +538,10 @@ public final class ScriptedRobot {
         condition.room = new PassingRoom(r.from(), r.to(), r.left(), r.right(), r.zone());
         condition.roomUse = RoomUse.HELD;
       }
+      case Locate l -> {
+        pose = l.pose();
+        condition.odometry = null;
+      }
       case Cancel c -> {
         if (Objects.equals(c.task(), drive.task())) {
           drive.cancel();
@@ -540,8 +582,8 @@ public final class ScriptedRobot {
         condition.sensorRange,
         condition.kind.word(),
         0,
-        true,
-        pose,
+        isLocalised(),
+        reportedPose(),
         mode(),
         drive.task(),
         drive.phase(),
@@ -562,8 +604,8 @@ public final class ScriptedRobot {
   private State state() {
     return new State(
         0,
-        condition.localised,
-        pose,
+        isLocalised(),
+        reportedPose(),
         new Speed(0, 0),
         mode(),
         drive.task(),

@@ -69,7 +69,8 @@ final class DriveDispatcher {
             || isCutOff(robot)
             || updateOffPath(robot)
             || updateSeparated(robot)
-            || isDriveUnwanted(robot);
+            || isDriveUnwanted(robot)
+            || !robot.reported.report().localised();
     if (isStray) {
       cancelUnwantedDrive(robot);
     }

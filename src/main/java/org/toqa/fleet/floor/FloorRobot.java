@@ -214,7 +214,10 @@ final class FloorRobot {
               Objects.requireNonNullElse(reported.unreachable(), Phrase.NOTHING_HEARD.with()),
               (reported.pose() == null ? Phrase.NOBODY_KNOWS_WHERE : Phrase.PLACE_STAYS_RESERVED)
                   .with());
-      case NOT_LOCALISED -> Phrase.MUST_BE_LOCALISED.with();
+      case NOT_LOCALISED ->
+          Phrase.MUST_BE_LOCALISED.with(
+              (reported.pose() == null ? Phrase.NO_PLACE_RESERVED : Phrase.PLACE_STAYS_RESERVED)
+                  .with());
       case ERROR -> errorActivity();
       case OUT_OF_SERVICE -> Phrase.STAYS_OUT_OF_SERVICE.with(outOfServicePhrase().with());
       case IDLE, DRIVING, HOLDING, CHARGING -> operationalActivity(work);

@@ -251,7 +251,6 @@ final class Formations {
   private boolean isTogether(Mission mission) {
     FloorRobot leader = state.robots.get(leader(mission));
     return leader != null
-        && leader.reported.report().localised()
         && leader.reported.report().at() != null
         && (leader.reported.report().role() == Role.LEADER || isFollowedByAll(mission));
   }

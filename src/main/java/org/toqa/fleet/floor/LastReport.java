@@ -15,8 +15,9 @@ import org.toqa.link.message.AgentMessage.Role;
 /**
  * What a robot reported last.
  *
- * @param pose map frame; null: it was never heard of, or a person said that it is not there any
- *     more
+ * @param localised whether it knows where it is
+ * @param pose map frame, where it was when it knew that last; null: it never did, or a person said
+ *     that it is not there any more
  * @param battery 0 to 1; null: it has not said it yet
  * @param readings {@link Readings#NONE} until it has said them
  * @param drive the number of the drive that it has, 0 without one
@@ -66,13 +67,14 @@ record LastReport(
     errors = List.copyOf(errors);
   }
 
-  static LastReport of(AgentMessage.State state, Instant now) {
+  /** A pose that the robot does not know itself is in no frame that anybody knows. */
+  LastReport with(AgentMessage.State state, Instant now) {
     boolean moves =
         Math.hypot(state.twist().v(), state.twist().u()) > STANDING_SPEED
             || Math.abs(state.twist().w()) > STANDING_TURN;
     return new LastReport(
         state.localised(),
-        state.pose(),
+        state.localised() ? state.pose() : pose,
         state.battery(),
         Readings.of(state),
         state.mode(),
@@ -84,11 +86,11 @@ record LastReport(
         now);
   }
 
-  /** What a hello does not tell stays as it was. */
+  /** The same; what a hello does not tell stays as it was. */
   LastReport with(Hello hello, Instant now) {
     return new LastReport(
         hello.localised(),
-        hello.pose(),
+        hello.localised() ? hello.pose() : pose,
         battery,
         Readings.NONE,
         hello.mode(),

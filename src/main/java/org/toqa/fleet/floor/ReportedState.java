@@ -45,7 +45,7 @@ final class ReportedState {
     return report;
   }
 
-  /** Map frame; null while nobody knows where it is. */
+  /** Map frame, where it was when it knew that last; null while nobody knows that. */
   @Nullable Pose pose() {
     return report.pose();
   }
@@ -126,7 +126,7 @@ final class ReportedState {
 
   void setReport(AgentMessage.State state, Instant now) {
     setHeardAgain();
-    report = LastReport.of(state, now);
+    report = report.with(state, now);
   }
 
   void setHeardAgain() {

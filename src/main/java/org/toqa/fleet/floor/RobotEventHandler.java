@@ -176,15 +176,15 @@ final class RobotEventHandler {
     Optional<StoredDrive> drive = stored.filter(d -> d.seq() == hello.drive());
     robot.drive.reconnect(drive, stored.map(StoredDrive::seq).orElse(0L));
     if (!state.formations.isCoveredByLeader(robot.name())) {
-      state.traffic.reportStanding(robot.name(), hello.pose(), state.diameter(robot), state.now);
+      reportStanding(robot);
       state.formations.updateTraffic();
-      if (drive.isPresent() && hello.role() != Role.FOLLOWER) {
+      if (drive.isPresent() && hello.localised() && hello.role() != Role.FOLLOWER) {
         resumeDriveInTraffic(robot, drive.get(), hello.pose(), hello.segment(), hello.released());
         rooms.connected(robot, hello);
       }
     }
     if (hello.drive() == 0) {
-      storePlace(robot, hello.pose());
+      storePlace(robot);
     }
     robot.arm.reconnect(hello.act());
     if (hello.done() != null) {
@@ -217,23 +217,15 @@ final class RobotEventHandler {
         robot.drive.endCancelling();
       }
     } else if (robot.drive.settle(said.drive())) {
-      if (state.traffic.hasRobot(robot.name())) {
-        state.traffic.reportProgress(robot.name(), said.pose(), said.segment(), state.now);
-        rooms.stateReported(robot, said);
-      } else {
-        resumeDriveInTraffic(
-            robot,
-            robot.drive.order().storedDrive().orElseThrow(),
-            said.pose(),
-            said.segment(),
-            said.released());
+      if (said.localised()) {
+        reportProgress(robot, said);
       }
     } else if (!robot.drive.order().isPending() && !isBraking(robot)) {
       if (said.drive() == 0) {
         robot.drive.end();
-        storePlace(robot, said.pose());
+        storePlace(robot);
       }
-      state.traffic.reportStanding(robot.name(), said.pose(), state.diameter(robot), state.now);
+      reportStanding(robot);
     }
     if (said.localised()) {
       state.addRobotLines(
@@ -241,8 +233,38 @@ final class RobotEventHandler {
     }
   }
 
+  private void reportProgress(FloorRobot robot, AgentMessage.State said) {
+    if (state.traffic.hasRobot(robot.name())) {
+      state.traffic.reportProgress(robot.name(), said.pose(), said.segment(), state.now);
+      rooms.stateReported(robot, said);
+    } else {
+      resumeDriveInTraffic(
+          robot,
+          robot.drive.order().storedDrive().orElseThrow(),
+          said.pose(),
+          said.segment(),
+          said.released());
+    }
+  }
+
+  /**
+   * It has no path any more. One that does not know where it is may be anywhere on what it had:
+   * that stays its own as it was, as of a robot that is not heard, until it is localised.
+   */
+  private void reportStanding(FloorRobot robot) {
+    Pose pose = robot.reported.pose();
+    boolean isKnown = robot.reported.report().localised() || !state.traffic.hasRobot(robot.name());
+    if (pose != null && isKnown) {
+      state.traffic.reportStanding(robot.name(), pose, state.diameter(robot), state.now);
+    }
+  }
+
   /** So that who starts before the robot is heard again knows where it is. */
-  private void storePlace(FloorRobot robot, Pose pose) {
+  private void storePlace(FloorRobot robot) {
+    Pose pose = robot.reported.pose();
+    if (pose == null || !robot.reported.report().localised()) {
+      return;
+    }
     Pose stored = robot.drive.storedPlace();
     boolean isElsewhere = stored == null || stored.distanceTo(pose) > SAME_PLACE;
     if (isElsewhere && robot.storing.takesPlace()) {
@@ -347,14 +369,11 @@ final class RobotEventHandler {
     if (!robot.drive.order().isOf(drive)) {
       return;
     }
-    Pose pose = robot.reported.pose();
     if (robot.reported.drive() != 0) {
       robot.drive.settle();
     } else {
       robot.drive.end();
-      if (pose != null) {
-        state.traffic.reportStanding(robot.name(), pose, state.diameter(robot), state.now);
-      }
+      reportStanding(robot);
     }
   }
 
@@ -383,12 +402,11 @@ final class RobotEventHandler {
   private void abandonCommand(FloorRobot robot, String reason) {
     robot.drive.abandonCommand(
         state.now.plus(RETRY_AFTER), Phrase.REFUSED_A_COMMAND.with(robot.name(), reason));
-    Pose pose = robot.reported.pose();
     if (robot.reported.drive() != 0) {
       robot.cancelDrive();
-    } else if (pose != null) {
+    } else {
       robot.drive.end();
-      state.traffic.reportStanding(robot.name(), pose, state.diameter(robot), state.now);
+      reportStanding(robot);
     }
   }
 }

@@ -24,7 +24,10 @@ final class RoomDispatcher {
     this.state = state;
   }
 
-  /** Takes in what a robot says that drives as it was told; before what it sees becomes known. */
+  /**
+   * Takes in what a robot says that drives as it was told and knows where it is; before what it
+   * sees becomes known.
+   */
   void stateReported(FloorRobot robot, AgentMessage.State said) {
     String name = robot.name();
     if (state.traffic.hasRoom(name)) {
@@ -41,7 +44,6 @@ final class RoomDispatcher {
 
   private static boolean isInNeed(FloorRobot robot, AgentMessage.State said) {
     return said.room() == RoomUse.WANTED
-        && said.localised()
         && said.role() == Role.ALONE
         && said.mode() == Mode.DRIVING
         && !said.obstacles().isEmpty()

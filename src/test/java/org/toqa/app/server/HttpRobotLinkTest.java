@@ -117,7 +117,7 @@ class HttpRobotLinkTest {
   }
 
   /** Else the folder could not be removed. */
-  private static void awaitNoDaemon() throws InterruptedException {
+  static void awaitNoDaemon() throws InterruptedException {
     for (Thread thread : Thread.getAllStackTraces().keySet()) {
       if (thread.getName().equals("http-h1")) {
         thread.join(20_000);
