@@ -139,6 +139,21 @@ class NotLocalisedTest extends HallFleetTest {
   }
 
   @Test
+  void whoWasToDriveWhereAPersonHasSaidThatItIsStops() throws Exception {
+    reopenWith("r2", new Vec2(14.5, 0.5), null);
+    untilAllIdle();
+    forgetPlace("r2");
+    scriptedRobot("r1").setStepsPerSegment(20);
+    submit("West", "East");
+    until(view -> scriptedRobot("r1").isDriving());
+
+    accepted(stage.fleet.locateRobot("r2", new Pose(0.5, 1.5, 0), "Max"));
+
+    untilHistory(
+        "traffic.cut-off", "r2 stands where r1 was to drive; r1 stops, and both are planned again");
+  }
+
+  @Test
   void whoseWheelsAreTurnedMeanwhileStaysWhereItWas() throws Exception {
     reopenWith("r2", DOOR, null);
     untilAllIdle();
