@@ -21,6 +21,7 @@ import org.toqa.agent.config.AgentConfig;
 import org.toqa.agent.config.ChassisConfig;
 import org.toqa.agent.drive.MotionLimits;
 import org.toqa.geometry.Pose;
+import org.toqa.geometry.Vec2;
 import org.toqa.grid.FloorMap;
 
 /**
@@ -205,6 +206,20 @@ public final class SimulatedFleet implements AutoCloseable {
    */
   public static boolean isElsewhere(Path folder, String floor) throws IOException {
     return FloorOfBody.isElsewhere(folder, floor);
+  }
+
+  /**
+   * Puts an obstacle on a floor, or moves it; nothing where there is no such floor.
+   *
+   * @param name of its own
+   * @param middle metres, map frame
+   * @param radius metres
+   */
+  public void putObstacle(String floor, String name, Vec2 middle, double radius) {
+    SimulatedFloor there = floors.get(floor);
+    if (there != null) {
+      there.putObstacle(name, middle, radius);
+    }
   }
 
   /**

@@ -31,6 +31,8 @@ class CommandLineTest {
         Arguments.of(
             List.of("demo", "--scenario", "store", "--firmware"), "does not go with --firmware"),
         Arguments.of(
+            List.of("demo", "--scenario", "yard", "--firmware"), "does not go with --firmware"),
+        Arguments.of(
             List.of("demo", "--scenario", "building", "--speed", "2"), "it goes with neither"),
         Arguments.of(List.of("plan", "--map", "nowhere.yaml"), "--from"),
         Arguments.of(List.of("plan", "--bogus"), "\"--bogus\" is not known"),

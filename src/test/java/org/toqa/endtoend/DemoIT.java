@@ -7,11 +7,14 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Set;
+import java.util.TreeSet;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.api.parallel.Execution;
 import org.junit.jupiter.api.parallel.ExecutionMode;
+import org.toqa.geometry.Vec2;
 import org.toqa.testbed.ToqaProcess;
 import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.json.JsonMapper;
@@ -82,6 +85,47 @@ class DemoIT {
       int carriers = task.get("name").asString().equals("Gearbox to packing") ? 3 : 1;
       assertEquals(carriers, task.get("robots").size(), task.toString());
     }
+  }
+
+  @Test
+  @Tag("full")
+  void robotsFindTheirOwnWayAmongPeople() throws Exception {
+    Path bodies = folder.resolve("bodies.jsonl");
+    try (ToqaProcess demo =
+        ToqaProcess.toqa(
+            folder,
+            "demo",
+            "--scenario",
+            "yard",
+            "--once",
+            "--speed",
+            "20",
+            "--port",
+            "0",
+            "--bodies",
+            bodies.toString())) {
+      assertEquals(0, demo.exitCode(), "not all tasks are done");
+      assertNoFailure(demo);
+    }
+    double nearest = Double.POSITIVE_INFINITY;
+    Set<String> crossed = new TreeSet<>();
+    for (String line : Files.readAllLines(bodies)) {
+      JsonNode robots = JsonMapper.shared().readTree(line).get("bodies");
+      assertEquals(2, robots.size(), line);
+      nearest = Math.min(nearest, middle(robots.get(0)).distanceTo(middle(robots.get(1))));
+      for (JsonNode robot : robots) {
+        if (Math.abs(middle(robot).x() - 5.4) < 0.1) { // in the middle of the zone
+          crossed.add(robot.get("name").asString());
+        }
+      }
+    }
+    assertTrue(nearest > 2 * 0.1275, "they were " + nearest + " m apart");
+    assertEquals(Set.of("r1", "r2"), crossed);
+  }
+
+  private static Vec2 middle(JsonNode robot) {
+    JsonNode core = robot.get("core").get(0);
+    return new Vec2(core.get("x").asDouble(), core.get("y").asDouble());
   }
 
   @Test

@@ -157,6 +157,7 @@ final class RoadWorld {
         usual.allocationPolicy(),
         usual.simulatedRobots(),
         usual.simulatedBatteries(),
+        usual.simulatedAvoidance(),
         usual.simulatedBoxes(),
         usual.firmware(),
         usual.widestRobot(),

@@ -7,6 +7,7 @@ import java.time.Duration;
 import java.util.List;
 import java.util.Set;
 import org.jspecify.annotations.Nullable;
+import org.toqa.agent.config.Avoidance;
 import org.toqa.allocation.Policy;
 import org.toqa.fleet.ChargingRules;
 import org.toqa.grid.Margins;
@@ -32,6 +33,8 @@ import org.toqa.telemetry.mqtt.BrokerSettings;
  * @param simulatedRobots how many simulated robots, floor by floor
  * @param simulatedBatteries charge of new simulated robots as a share of a full battery, 0 to 1,
  *     robot by robot; the last one counts for all others
+ * @param simulatedAvoidance how simulated robots avoid things; with four agents they have two
+ *     wheels and eight range sensors
  * @param simulatedBoxes the file of boxes on a floor, and of the simulated robots that see and lift
  *     them; null: there are none
  * @param firmware the folder of the built firmware that drives the first simulated robot, in a
@@ -68,6 +71,7 @@ public record Configuration(
     Policy allocationPolicy,
     List<Integer> simulatedRobots,
     List<Double> simulatedBatteries,
+    Avoidance simulatedAvoidance,
     @Nullable Path simulatedBoxes,
     @Nullable Path firmware,
     double widestRobot,
@@ -112,6 +116,7 @@ public record Configuration(
         allocationPolicy,
         List.of(),
         simulatedBatteries,
+        simulatedAvoidance,
         null,
         null,
         widestRobot,

@@ -16,9 +16,11 @@ import java.util.Locale;
 import java.util.Set;
 import java.util.TreeSet;
 import java.util.function.Function;
+import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 import org.toqa.accounts.PasswordHasher;
 import org.toqa.accounts.PasswordRules;
+import org.toqa.agent.config.Avoidance;
 import org.toqa.allocation.Policy;
 import org.toqa.app.config.Configuration.DatabaseSettings;
 import org.toqa.app.config.Configuration.FirstManager;
@@ -80,6 +82,7 @@ record ConfigurationReader(List<SettingSource> layers) {
         allocationPolicy(),
         simulate,
         batteries(),
+        avoidance(isSimulated),
         boxes(isSimulated),
         firmware(isSimulated),
         number(Setting.WIDEST_ROBOT),
@@ -356,6 +359,25 @@ record ConfigurationReader(List<SettingSource> layers) {
       throw invalid(setting, "nothing can be written to " + present + "; name another folder.");
     }
     return folder;
+  }
+
+  private Avoidance avoidance(boolean isSimulated) throws ConfigurationException {
+    Setting setting = Setting.SIMULATE_AVOIDANCE;
+    Avoidance avoidance =
+        Stream.of(Avoidance.values())
+            .filter(each -> each.word().equals(text(setting)))
+            .findFirst()
+            .orElseThrow(() -> outOfRange(setting));
+    if (avoidance != Avoidance.FOUR_AGENTS) {
+      return avoidance;
+    }
+    if (!isSimulated) {
+      throw invalid(setting, "only simulated robots avoid so by it: set simulate as well.");
+    }
+    if (!text(Setting.FIRMWARE).isEmpty()) {
+      throw invalid(setting, "robots of the firmware have no eight range sensors: leave one out.");
+    }
+    return avoidance;
   }
 
   private @Nullable Path boxes(boolean isSimulated) throws ConfigurationException {

@@ -3,6 +3,7 @@ package org.toqa.app.config;
 import java.util.Arrays;
 import java.util.Locale;
 import java.util.Optional;
+import org.toqa.agent.config.Avoidance;
 import org.toqa.app.config.ValueRange.Choice;
 import org.toqa.app.config.ValueRange.Decimal;
 import org.toqa.app.config.ValueRange.WholeNumber;
@@ -38,6 +39,10 @@ public enum Setting {
   FIRMWARE("firmware", "", "the folder of the built firmware, with toqa.hex and toqa-sim"),
   SIMULATE("simulate", "0", new WholeNumbers(0, 500, "")),
   SIMULATE_BATTERIES("simulateBatteries", "100", new WholeNumbers(5, 100, "percent")),
+  SIMULATE_AVOIDANCE(
+      "simulateAvoidance",
+      Avoidance.WEIGHTED_DIRECTIONS.word(),
+      new Choice(Avoidance.WEIGHTED_DIRECTIONS.word(), Avoidance.FOUR_AGENTS.word())),
   SIMULATE_BOXES("simulateBoxes", "", "a .yaml file with boxes for simulated robots"),
   WIDEST_ROBOT("widestRobot", "1", new Decimal(0.1, 10, "metres")),
   MARGINS_ROBOT(

@@ -12,6 +12,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.concurrent.Callable;
 import org.jspecify.annotations.Nullable;
+import org.toqa.agent.config.Avoidance;
 import org.toqa.app.command.PortOption;
 import org.toqa.app.command.SpeedOption;
 import org.toqa.app.command.StopSignal;
@@ -24,6 +25,7 @@ import org.toqa.app.server.FleetServer;
 import org.toqa.app.server.FleetServer.BodyObservation;
 import org.toqa.app.server.ServerOperation;
 import org.toqa.app.server.WebappFolder;
+import org.toqa.fleet.TaskOrder;
 import org.toqa.grid.FloorMap;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.ExitCode;
@@ -37,6 +39,7 @@ public final class DemoCommand implements Callable<Integer> {
   private static final String USUAL = "usual";
   private static final String BUILDING = "building";
   private static final String STORE = "store";
+  private static final String YARD = "yard";
 
   /** Percent, robot by robot: the third one has to charge soon. */
   private static final String BATTERIES = "100,100,22,100";
@@ -70,7 +73,8 @@ public final class DemoCommand implements Callable<Integer> {
       description =
           "usual: simulated robots on four floors. building: one robot with two wheels on each of"
               + " three floors, over HTTP and MQTT. store: a supervisor with cameras and two workers"
-              + " with arms carry ten boxes (default: usual).")
+              + " with arms carry ten boxes. yard: two robots find their own way among people through a"
+              + " free zone (default: usual).")
   private String scenario = USUAL;
 
   @Option(
@@ -102,6 +106,10 @@ public final class DemoCommand implements Callable<Integer> {
 
   private boolean isStore() {
     return scenario.equals(STORE);
+  }
+
+  private boolean isYard() {
+    return scenario.equals(YARD);
   }
 
   @Override
@@ -166,7 +174,17 @@ public final class DemoCommand implements Callable<Integer> {
     if (isStore()) {
       return runStore(toqa, tasks, stop);
     }
-    tasks.submit(isBuilding() ? BuildingScenario.orders() : DemoTasks.orders(robots), USER);
+    if (isYard()) {
+      try (BodyObservation _ = YardScenario.begin(toqa)) {
+        return runTasks(YardScenario.orders(), tasks, stop);
+      }
+    }
+    return runTasks(
+        isBuilding() ? BuildingScenario.orders() : DemoTasks.orders(robots), tasks, stop);
+  }
+
+  private int runTasks(List<TaskOrder> orders, DemoTasks tasks, StopSignal stop) throws Exception {
+    tasks.submit(orders, USER);
     if (once) {
       boolean isDone = tasks.awaitEnd(stop, System.err::println);
       System.err.println();
@@ -212,6 +230,10 @@ public final class DemoCommand implements Callable<Integer> {
       options.put(Setting.SIMULATE_BATTERIES, StoreScenario.BATTERIES);
       options.put(Setting.CHARGING_UNTIL, StoreScenario.CHARGE_UNTIL);
       options.put(Setting.SIMULATE_BOXES, StoreScenario.boxes(data.resolve("maps")));
+    } else if (isYard()) {
+      options.put(Setting.MAP, YardScenario.map(data.resolve("maps")));
+      options.put(Setting.SIMULATE, YardScenario.ROBOTS);
+      options.put(Setting.SIMULATE_AVOIDANCE, Avoidance.FOUR_AGENTS.word());
     } else {
       options.put(Setting.MAP, WebappFolder.shippedMaps());
       options.put(Setting.SIMULATE, robots + "," + DemoTasks.ROBOTS_ELSEWHERE);
@@ -242,9 +264,9 @@ public final class DemoCommand implements Callable<Integer> {
 
   /** Its robots are no part of the simulated world: they live by the machine's clock. */
   private void checkScenario() throws ConfigurationException {
-    if (!scenario.equals(USUAL) && !isBuilding() && !isStore()) {
+    if (!scenario.equals(USUAL) && !isBuilding() && !isStore() && !isYard()) {
       throw new ConfigurationException(
-          "--scenario \"" + scenario + "\": it must be usual, building or store.");
+          "--scenario \"" + scenario + "\": it must be usual, building, store or yard.");
     }
     if (sequential && !isStore()) {
       throw new ConfigurationException("--sequential goes with --scenario store only.");
@@ -253,6 +275,11 @@ public final class DemoCommand implements Callable<Integer> {
       throw new ConfigurationException(
           "--scenario store simulates arms together with the boxes that they take: it does not go"
               + " with --firmware.");
+    }
+    if (isYard() && firmware) {
+      throw new ConfigurationException(
+          "--scenario yard has robots with eight range sensors, which those of the firmware have"
+              + " not: it does not go with --firmware.");
     }
     boolean isWithSimulation = speed.value() != null || firmware || bodies != null;
     if (isBuilding() && isWithSimulation) {

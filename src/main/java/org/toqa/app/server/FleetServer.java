@@ -41,6 +41,7 @@ import org.toqa.fleet.manager.AgentFleet;
 import org.toqa.fleet.schedule.Scheduler;
 import org.toqa.fleet.supervision.Supervisor;
 import org.toqa.geometry.Pose;
+import org.toqa.geometry.Vec2;
 import org.toqa.grid.FloorMap;
 import org.toqa.lab.record.Laboratory;
 import org.toqa.link.trust.PrivateFolder;
@@ -513,6 +514,22 @@ public final class FleetServer implements AutoCloseable {
     Participant participant = nanos -> observer.accept(Duration.ofNanos(nanos), observed.on(floor));
     fleetClock.add(participant, VirtualClock.STEP);
     return () -> fleetClock.remove(participant);
+  }
+
+  /**
+   * Puts somebody or something on a floor of the simulated world, or moves it.
+   *
+   * @param name of its own
+   * @param middle metres, map frame
+   * @param radius metres
+   * @throws IllegalStateException no robots are simulated
+   */
+  public void putObstacle(String floor, String name, Vec2 middle, double radius) {
+    SimulatedFleet robots = simulated;
+    if (robots == null) {
+      throw new IllegalStateException(NONE_SIMULATED);
+    }
+    robots.putObstacle(floor, name, middle, radius);
   }
 
   /**

@@ -14,6 +14,7 @@ import java.util.Set;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
+import org.toqa.agent.config.Avoidance;
 import org.toqa.app.command.TemporaryFolder;
 import org.toqa.app.config.Configuration;
 import org.toqa.fleet.FleetStore;
@@ -73,7 +74,7 @@ final class SimulatedRobots {
                 firmware);
         String where = before == null ? floor.name() : before.record().floor();
         requireNonNull(robots.get(worlds.get(where)))
-            .add(boxes == null ? robot : boxes.equipped(robot));
+            .add(equipped(robot, configuration.simulatedAvoidance(), boxes));
         String parking = j < floor.parking().size() ? places.get(j).name() : null;
         fresh.add(
             before == null
@@ -93,6 +94,12 @@ final class SimulatedRobots {
       simulated.close();
       throw cannotBeStored(e);
     }
+  }
+
+  private static SimulatedRobot equipped(
+      SimulatedRobot robot, Avoidance avoidance, @Nullable SimulatedStore boxes) {
+    SimulatedRobot avoiding = avoidance == Avoidance.FOUR_AGENTS ? robot.withFourAgents() : robot;
+    return boxes == null ? avoiding : boxes.equipped(avoiding);
   }
 
   /**

@@ -140,6 +140,8 @@ class ConfigurationTest {
         "CHARGING_AFTER_HOURS | 25      | from 0.1 to 24",
         "CHARGING_MINUTES | soon        | from 1 to 1440",
         "SIMULATE_BATTERIES | 100,3     | percent from 5 to 100",
+        "SIMULATE_AVOIDANCE | potential | weighted-directions or four-agents",
+        "SIMULATE_AVOIDANCE | four-agents | set simulate as well",
         "SPEED         | NaN            | from 0.1 to 100",
         "SPEED         | 1e9            | from 0.1 to 100",
         "SPEED         | fast           | from 0.1 to 100",
