@@ -27,14 +27,36 @@ public record Chart(String name, String title, String across, String up, List<Se
   /** At most so many lines of the grid on an axis. */
   private static final int TICKS = 6;
 
-  /** A point of a chart, in the units of its axes. */
-  public record Point(double x, double y) {}
+  /** Pixels of a point with a gap on both sides. */
+  private static final double DOT = 5;
 
-  /** Points joined by a line; those that are not finite are left out. */
+  /** A point of a chart, in the units of its axes; there is none where a value is not finite. */
+  public record Point(double x, double y) {
+    boolean isFinite() {
+      return Double.isFinite(x) && Double.isFinite(y);
+    }
+  }
+
+  /** Points joined by a line, which has a gap where there is none. */
   public record Series(String name, List<Point> points) {
     public Series {
-      points =
-          points.stream().filter(p -> Double.isFinite(p.x()) && Double.isFinite(p.y())).toList();
+      points = List.copyOf(points);
+    }
+
+    /** The points between gaps. */
+    List<List<Point>> parts() {
+      List<List<Point>> parts = new ArrayList<>();
+      boolean isGap = true;
+      for (Point point : points) {
+        if (point.isFinite()) {
+          if (isGap) {
+            parts.add(new ArrayList<>());
+          }
+          parts.getLast().add(point);
+        }
+        isGap = !point.isFinite();
+      }
+      return parts;
     }
   }
 
@@ -49,8 +71,9 @@ public record Chart(String name, String title, String across, String up, List<Se
       double most = Double.NEGATIVE_INFINITY;
       for (Series one : series) {
         for (Point point : one.points()) {
-          least = Math.min(least, value.applyAsDouble(point));
-          most = Math.max(most, value.applyAsDouble(point));
+          double at = value.applyAsDouble(point);
+          least = Double.isFinite(at) ? Math.min(least, at) : least;
+          most = Double.isFinite(at) ? Math.max(most, at) : most;
         }
       }
       if (least > most) {
@@ -99,18 +122,18 @@ public record Chart(String name, String title, String across, String up, List<Se
     drawAxes(svg, x, y);
     for (int i = 0; i < series.size(); i++) {
       String colour = Colour.ofLine(i).code();
-      List<Point> points = series.get(i).points();
-      if (!points.isEmpty()) {
-        svg.stroke(
-            points.stream()
-                .map(p -> number(across(x, p.x())) + " " + number(up(y, p.y())))
-                .collect(Collectors.joining("L", "M", "")),
-            colour,
-            2);
+      for (List<Point> part : series.get(i).parts()) {
+        svg.stroke(path(part, x, y), colour, part.size() == 1 ? DOT : 2);
       }
       svg.label(series.get(i).name(), LEFT, TOP + HEIGHT + AXIS + LINE_OF_LEGEND * i + 12, colour);
     }
     return svg.end();
+  }
+
+  private static String path(List<Point> points, Axis x, Axis y) {
+    return points.stream()
+        .map(p -> number(across(x, p.x())) + " " + number(up(y, p.y())))
+        .collect(Collectors.joining("L", "M", points.size() == 1 ? "h0" : ""));
   }
 
   private void drawAxes(SvgWriter svg, Axis x, Axis y) {

@@ -418,7 +418,7 @@ public final class SwarmSweep implements Experiment {
               "steps-" + name,
               "Steps to the target (figure 11)" + on,
               "v (m/s)",
-              "log10 of steps",
+              "log10 of the median steps of those that arrived; a gap where none did",
               steps));
       drawings.add(
           new Chart(
