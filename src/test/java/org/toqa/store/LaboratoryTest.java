@@ -5,10 +5,13 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertInstanceOf;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.lang.reflect.Proxy;
 import java.time.InstantSource;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.BlockingQueue;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.Semaphore;
 import java.util.concurrent.TimeUnit;
@@ -22,8 +25,10 @@ import org.toqa.lab.record.LabOrder;
 import org.toqa.lab.record.LabResult;
 import org.toqa.lab.record.LabRun;
 import org.toqa.lab.record.LabRunState;
+import org.toqa.lab.record.LabRunStore;
 import org.toqa.lab.record.Laboratory;
 import org.toqa.lab.record.Laboratory.Ordered;
+import org.toqa.persistence.StoreException;
 
 /** The queue of the laboratory, over a store and experiments that go on until a test says so. */
 class LaboratoryTest extends DatabaseTest {
@@ -67,6 +72,46 @@ class LaboratoryTest extends DatabaseTest {
   private Laboratory laboratory() {
     return new Laboratory(
         new JdbiLabRunStore(database.jdbi()), experiments, slot, InstantSource.system());
+  }
+
+  /** A store that fails where a test says so. */
+  private final class Store {
+    final Map<String, StoreException> failures = new ConcurrentHashMap<>();
+    final BlockingQueue<String> failed = new LinkedBlockingQueue<>();
+    private final LabRunStore kept = new JdbiLabRunStore(database.jdbi());
+
+    void fail(StoreException failure, String... methods) {
+      for (String method : methods) {
+        failures.put(method, failure);
+      }
+    }
+
+    void awaitFailed(String method) throws InterruptedException {
+      assertEquals(method, failed.poll(PATIENCE_SECONDS, TimeUnit.SECONDS));
+    }
+
+    Laboratory laboratory() {
+      Object store =
+          Proxy.newProxyInstance(
+              LabRunStore.class.getClassLoader(),
+              new Class<?>[] {LabRunStore.class},
+              (_, method, arguments) -> {
+                @Nullable StoreException failure = failures.get(method.getName());
+                if (failure != null) {
+                  failed.add(method.getName());
+                  throw failure;
+                }
+                return method.invoke(kept, arguments);
+              });
+      return new Laboratory(
+          (LabRunStore) store, experiments, slot, InstantSource.system());
+    }
+  }
+
+  private static final StoreException AWAY = new StoreException("away", null);
+
+  private static void close(Laboratory laboratory) throws Exception {
+    CompletableFuture.runAsync(laboratory::close).get(20, TimeUnit.SECONDS);
   }
 
   private static LabOrder order(long seed) {
@@ -190,5 +235,76 @@ class LaboratoryTest extends DatabaseTest {
               .orElseThrow());
       start(laboratory, 99);
     }
+  }
+
+  @Test
+  void whatARunGaveIsStoredAsSoonAsTheStoreAnswers() throws Exception {
+    Store store = new Store();
+    try (Laboratory laboratory = store.laboratory()) {
+      long id = start(laboratory, 1);
+      experiments.awaitBegun();
+      store.fail(AWAY, "complete", "end", "breakOff");
+      experiments.ends.add(new ExperimentRunner.Outcome.Done(new LabResult("{}", List.of())));
+      store.awaitFailed("complete");
+      assertFalse(laboratory.stop(id), "it is over");
+      assertTrue(slot.tryAcquire(PATIENCE_SECONDS, TimeUnit.SECONDS), "other sites go on");
+      slot.release();
+      store.failures.clear();
+      awaitState(laboratory, id, LabRunState.DONE);
+      assertTrue(laboratory.store().report(id).isPresent());
+    }
+  }
+
+  @Test
+  void aRunThatTheStoreDoesNotBeginWaitsUntilItDoes() throws Exception {
+    Store store = new Store();
+    try (Laboratory laboratory = store.laboratory()) {
+      store.fail(AWAY, "begin", "breakOff");
+      start(laboratory, 1);
+      store.awaitFailed("begin");
+      store.failures.clear();
+      assertEquals(1, experiments.awaitBegun());
+    }
+  }
+
+  @Test
+  void aResultThatTheStoreRefusesFailsAndTheNextRunGoesOn() throws Exception {
+    Store store = new Store();
+    try (Laboratory laboratory = store.laboratory()) {
+      long id = start(laboratory, 1);
+      experiments.awaitBegun();
+      store.fail(
+          new StoreException(StoreException.Kind.REFUSED, "too much of it", null), "complete");
+      experiments.ends.add(new ExperimentRunner.Outcome.Done(new LabResult("{}", List.of())));
+      awaitState(laboratory, id, LabRunState.FAILED);
+      assertEquals("too much of it", laboratory.store().run(id).orElseThrow().detail());
+      start(laboratory, 2);
+      assertEquals(2, experiments.awaitBegun());
+    }
+  }
+
+  @Test
+  void itEndsWhileTheStoreIsAwayAndARunGoesOn() throws Exception {
+    Store store = new Store();
+    Laboratory laboratory = store.laboratory();
+    long id = start(laboratory, 1);
+    experiments.awaitBegun();
+    store.fail(AWAY, "end", "breakOff");
+    close(laboratory);
+    assertEquals(LabRunState.RUNNING, store.kept.run(id).orElseThrow().state());
+    laboratory().close();
+    assertEquals(LabRunState.BROKEN_OFF, store.kept.run(id).orElseThrow().state());
+  }
+
+  @Test
+  void itEndsWhileTheStoreIsAwayAndAResultIsToBeStored() throws Exception {
+    Store store = new Store();
+    Laboratory laboratory = store.laboratory();
+    start(laboratory, 1);
+    experiments.awaitBegun();
+    store.fail(AWAY, "complete", "end", "breakOff");
+    experiments.ends.add(new ExperimentRunner.Outcome.Done(new LabResult("{}", List.of())));
+    store.awaitFailed("complete");
+    close(laboratory);
   }
 }

@@ -1,6 +1,7 @@
 package org.toqa.lab.record;
 
 import java.time.Duration;
+import java.time.Instant;
 import java.time.InstantSource;
 import java.time.temporal.ChronoUnit;
 import java.util.ArrayList;
@@ -24,8 +25,8 @@ import org.toqa.persistence.StoreException;
  *   <li>What it gives is stored. Whoever watches asks {@link #progress}; nobody need to.
  * </ol>
  *
- * <p>What waited when the server ended is taken up by the next one; what ran is broken off. Any
- * thread may call it.
+ * <p>While the store is away what is to be stored is tried again. What waited when the server ended
+ * is taken up by the next one; what ran is broken off. Any thread may call it.
  */
 public final class Laboratory implements AutoCloseable {
   private static final Logger log = LoggerFactory.getLogger(Laboratory.class);
@@ -37,7 +38,10 @@ public final class Laboratory implements AutoCloseable {
   public static final int MOST_WAITING = 10;
 
   /** Between two tries while the store is away. */
-  private static final Duration STORE_PAUSE = Duration.ofSeconds(5);
+  private static final Duration STORE_PAUSE = Duration.ofSeconds(2);
+
+  /** For the process of a run to end, and for a store that does not answer. */
+  private static final Duration CLOSE_LIMIT = Duration.ofSeconds(60);
 
   private final LabRunStore store;
   private final ExperimentRunner runner;
@@ -72,6 +76,9 @@ public final class Laboratory implements AutoCloseable {
     final long id;
     volatile Progress progress = new Progress(0, "");
     volatile boolean isStopped;
+
+    /** It is, and is only to be stored yet. */
+    volatile boolean isOver;
 
     Current(long id) {
       this.id = id;
@@ -117,7 +124,7 @@ public final class Laboratory implements AutoCloseable {
     Current running = current;
     if (running != null && running.id == id) {
       running.isStopped = true;
-      return true;
+      return !running.isOver;
     }
     return store
         .run(id)
@@ -141,15 +148,12 @@ public final class Laboratory implements AutoCloseable {
     try {
       while (!isClosed) {
         long id = waiting.take();
-        slot.acquire();
         try {
-          run(id);
+          complete(new Current(id));
         } catch (StoreException e) {
-          log.warn("Run {} of the laboratory was not stored.", id, e);
-          breakOff();
+          log.warn("The store refuses run {} of the laboratory.", id, e);
         } finally {
           current = null;
-          slot.release();
         }
       }
     } catch (InterruptedException e) {
@@ -157,47 +161,104 @@ public final class Laboratory implements AutoCloseable {
     }
   }
 
-  /** As soon as the store takes it: what it holds for running does not. */
-  private void breakOff() throws InterruptedException {
+  private void complete(Current now) throws InterruptedException {
+    current = now;
+    Optional<ExperimentRunner.Outcome> outcome = tryAgain(now.id, () -> run(now));
+    if (outcome.isEmpty()) {
+      return;
+    }
+    now.isOver = true;
+    Instant at = clock.instant();
+    try {
+      tryAgain(now.id, () -> keep(now.id, outcome.get(), at));
+    } catch (StoreException e) {
+      log.warn("What run {} of the laboratory gave is refused.", now.id, e);
+      tryAgain(now.id, () -> store.end(now.id, LabRunState.FAILED, e.getMessage(), at));
+    }
+  }
+
+  /** What needs the store. */
+  private interface Step<T> {
+    T take() throws InterruptedException;
+  }
+
+  /**
+   * Takes a step as soon as the store answers, without the slot meanwhile.
+   *
+   * @throws InterruptedException this is closed; the next start breaks off what the store holds for
+   *     running
+   * @throws StoreException it never would
+   */
+  private <T> T tryAgain(long id, Step<T> step) throws InterruptedException {
+    boolean isTold = false;
     while (true) {
       try {
-        store.breakOff(clock.instant());
-        return;
+        return step.take();
       } catch (StoreException e) {
+        if (e.isRefusal() || e.kind() == StoreException.Kind.TOO_SLOW) {
+          throw e;
+        }
+        if (!isTold) {
+          log.warn(
+              "Run {} of the laboratory is not stored, which is tried again: {}", id, e.toString());
+          isTold = true;
+        }
+        if (isClosed) {
+          throw new InterruptedException();
+        }
         Thread.sleep(STORE_PAUSE);
       }
     }
   }
 
-  private void run(long id) throws InterruptedException {
-    Optional<LabRun> run = store.run(id);
-    Current now = new Current(id);
-    current = now;
-    if (run.isEmpty() || !store.begin(id, clock.instant())) {
-      return;
-    }
-    ExperimentRunner.Outcome outcome;
+  /** Empty: it waits no more. */
+  private Optional<ExperimentRunner.Outcome> run(Current now) throws InterruptedException {
+    slot.acquire();
     try {
-      outcome =
+      Optional<LabRun> run = store.run(now.id);
+      if (run.isEmpty() || !begin(run.get())) {
+        return Optional.empty();
+      }
+      return Optional.of(
           runner.run(
               run.get().order(),
               (share, step) -> now.progress = new Progress(share, step),
-              () -> now.isStopped);
+              () -> now.isStopped));
     } catch (InterruptedException e) {
-      store.end(id, LabRunState.BROKEN_OFF, null, clock.instant());
+      breakOff(now.id);
+      throw e;
+    } catch (StoreException e) {
       throw e;
     } catch (RuntimeException e) {
-      log.warn("Run {} of the laboratory failed.", id, e);
-      outcome = new ExperimentRunner.Outcome.Failed(String.valueOf(e));
+      log.warn("Run {} of the laboratory failed.", now.id, e);
+      return Optional.of(new ExperimentRunner.Outcome.Failed(String.valueOf(e)));
+    } finally {
+      slot.release();
     }
+  }
+
+  /** A run that is found running was begun by an earlier try, whose answer was lost. */
+  private boolean begin(LabRun run) {
+    return run.state() == LabRunState.RUNNING || store.begin(run.id(), clock.instant());
+  }
+
+  /** The next start does it where the store does not answer. */
+  private void breakOff(long id) {
+    try {
+      store.end(id, LabRunState.BROKEN_OFF, null, clock.instant());
+    } catch (StoreException e) {
+      log.warn("Run {} of the laboratory is broken off by the next start: {}", id, e.toString());
+    }
+  }
+
+  private boolean keep(long id, ExperimentRunner.Outcome outcome, Instant at) {
     switch (outcome) {
-      case ExperimentRunner.Outcome.Done(LabResult result) ->
-          store.complete(id, result, clock.instant());
-      case ExperimentRunner.Outcome.Stopped _ ->
-          store.end(id, LabRunState.STOPPED, null, clock.instant());
+      case ExperimentRunner.Outcome.Done(LabResult result) -> store.complete(id, result, at);
+      case ExperimentRunner.Outcome.Stopped _ -> store.end(id, LabRunState.STOPPED, null, at);
       case ExperimentRunner.Outcome.Failed(String detail) ->
-          store.end(id, LabRunState.FAILED, detail, clock.instant());
+          store.end(id, LabRunState.FAILED, detail, at);
     }
+    return true;
   }
 
   /** The run that goes on is broken off; those that wait go on after the next start. */
@@ -206,7 +267,9 @@ public final class Laboratory implements AutoCloseable {
     isClosed = true;
     thread.interrupt();
     try {
-      thread.join();
+      if (!thread.join(CLOSE_LIMIT)) {
+        log.warn("The laboratory does not end; the server ends without it.");
+      }
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
     }
