@@ -46,8 +46,9 @@
   <c:if test="${not empty report}">
     <section class="choices downloads">
       <a href="${api}/report" role="button" class="outline" download="toqa-${run.order().experiment()}-${run.id()}.json"><fmt:message key="laboratory.download.report"/></a>
-      <a href="${api}/figures.csv" role="button" class="outline" download><fmt:message key="laboratory.download.figures"/></a>
+      <c:if test="${not empty report.figures()}"><a href="${api}/figures.csv" role="button" class="outline" download><fmt:message key="laboratory.download.figures"/></a></c:if>
     </section>
+    <c:if test="${not empty report.figures()}">
     <h2 id="figures"><fmt:message key="laboratory.figures"/></h2>
     <table class="stacks figures-table">
       <thead><tr><c:forTokens items="figure,published,measured,bound,verdict,reason" delims="," var="column"><th scope="col"><fmt:message key="laboratory.column.${column}"/></th></c:forTokens></tr></thead>
@@ -64,6 +65,7 @@
         </c:forEach>
       </tbody>
     </table>
+    </c:if>
     <h2><fmt:message key="laboratory.drawings"/></h2>
     <div class="charts">
       <c:forEach items="${drawings}" var="drawing">

@@ -32,9 +32,11 @@ final class ReportText {
           List.of("parameter", "value", "meaning"),
           experiment.parameters().stream().map(one -> row(one, run)).toList());
     }
-    table(
-        List.of("figure", "published", "measured", "best possible", "verdict"),
-        report.figures().stream().map(ReportText::row).toList());
+    if (!report.figures().isEmpty()) {
+      table(
+          List.of("figure", "published", "measured", "best possible", "verdict"),
+          report.figures().stream().map(ReportText::row).toList());
+    }
     for (Table one : report.tables()) {
       line("");
       line(one.title());

@@ -36,11 +36,14 @@ final class SwarmDrive {
   /** Radians between a lidar's rays, at most. */
   private static final double BETWEEN_RAYS = Math.toRadians(10);
 
+  /** Readings are off by so many standard deviations at most. */
+  private static final double MOST_DEVIATIONS = 4;
+
   /** Metres between two points of the track that is drawn. */
   private static final double TRACK = 10;
 
   /** A drive ends when it has become longer than the straight line, so many times. */
-  private static final double LONGEST = 6;
+  static final double LONGEST = 6;
 
   private final SwarmMap map;
   private final SwarmSetup setup;
@@ -74,14 +77,25 @@ final class SwarmDrive {
       List<Double> shapeErrors,
       List<Vec2> track) {}
 
+  /** A drive on a way of {@link #LONGEST} times the straight line at most. */
   Result run() {
-    return run(robots -> {});
+    return run(mostSteps());
+  }
+
+  /** A drive of at most so many steps. */
+  Result run(int mostSteps) {
+    return run(mostSteps, robots -> {});
+  }
+
+  private int mostSteps() {
+    return (int) (LONGEST * SwarmMap.START.distanceTo(SwarmMap.TARGET) / speed);
   }
 
   /** The robots of one drive, each where it was at each step; lost ones stand where they were. */
   List<Animation.Body> bodies() {
     Map<Vec2, List<Vec2>> tracks = new LinkedHashMap<>();
     run(
+        mostSteps(),
         robots ->
             robots.forEach(
                 robot ->
@@ -96,7 +110,7 @@ final class SwarmDrive {
   /**
    * @param observer is shown the robots that are left, before each step
    */
-  private Result run(Consumer<List<SwarmRobot>> observer) {
+  private Result run(int mostSteps, Consumer<List<SwarmRobot>> observer) {
     List<SwarmRobot> robots = new ArrayList<>();
     for (Vec2 place : setup.places()) {
       robots.add(new SwarmRobot(SwarmMap.START.plus(place), place));
@@ -110,8 +124,7 @@ final class SwarmDrive {
     List<Double> errors = new ArrayList<>();
     SwarmMap changed = setup.changed(map);
     SwarmMap now = map;
-    int most = (int) (LONGEST * SwarmMap.START.distanceTo(SwarmMap.TARGET) / speed);
-    for (int step = 0; step < most; step++) {
+    for (int step = 0; step < mostSteps; step++) {
       observer.accept(robots);
       Vec2 leader = VirtualLeader.position(robots);
       if (track.getLast().distanceTo(leader) >= TRACK) {
@@ -132,7 +145,7 @@ final class SwarmDrive {
         return result(false, step, first, robots, errors, track);
       }
     }
-    return result(false, most, first, robots, errors, track);
+    return result(false, mostSteps, first, robots, errors, track);
   }
 
   private static Result result(
@@ -168,15 +181,26 @@ final class SwarmDrive {
       return false;
     }
     Vec2 from = robots.get(observer.getAsInt()).position();
-    double nearest = setup.lidarRange();
     int rays = (int) Math.ceil(setup.view() / BETWEEN_RAYS);
     for (int i = -rays; i <= rays; i++) {
       double aside = rays == 0 ? 0 : setup.view() * i / rays;
-      nearest = Math.min(nearest, RayCast.distance(now.grid(), from, direction + aside, nearest));
+      if (isRead(now, from, direction + aside)) {
+        return true;
+      }
     }
+    return false;
+  }
+
+  /** Whether a ray reads less than the range; with noise it may, of a thing that is farther. */
+  private boolean isRead(SwarmMap now, Vec2 from, double direction) {
     double noise = setup.rangeNoise();
-    double read = noise > 0 ? nearest * (1 + noise * random.nextGaussian()) : nearest;
-    return nearest < setup.lidarRange() && read < setup.lidarRange();
+    double farthest = setup.lidarRange() * (1 + MOST_DEVIATIONS * noise);
+    double range = RayCast.distance(now.grid(), from, direction, farthest);
+    if (range >= farthest) {
+      return false;
+    }
+    double read = noise > 0 ? range * (1 + noise * random.nextGaussian()) : range;
+    return read < setup.lidarRange();
   }
 
   private List<SwarmRobot> moved(SwarmMap now, List<SwarmRobot> robots, Vec2 leader, Vec2 forward) {
@@ -201,6 +225,9 @@ final class SwarmDrive {
   /** From a robot's rim to the nearest thing that one of its feelers finds. */
   private Vec2 nearest(SwarmMap now, SwarmRobot robot) {
     double reach = setup.robotRadius() + setup.keeping().clearance();
+    if (!now.touches(robot.position(), reach)) {
+      return Vec2.ZERO;
+    }
     double nearest = reach;
     double towards = 0;
     for (int i = 0; i < FEELERS; i++) {

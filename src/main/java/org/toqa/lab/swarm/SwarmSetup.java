@@ -102,8 +102,8 @@ record SwarmSetup(
         hasMemory);
   }
 
-  /** The same with what removes them. */
-  SwarmSetup extended() {
+  /** The same with robots that drive back to their places, clear of what is near them. */
+  SwarmSetup keepingShape() {
     return new SwarmSetup(
         robotRadius,
         lidarRange,
@@ -116,6 +116,23 @@ record SwarmSetup(
         actuatorNoise,
         isChanging,
         new ShapeKeeping(0.2, 0.5, 2 * robotRadius),
+        hasMemory);
+  }
+
+  /** The same with loops that are left by memory. */
+  SwarmSetup remembering() {
+    return new SwarmSetup(
+        robotRadius,
+        lidarRange,
+        outward,
+        view,
+        apart,
+        targetRadius,
+        delay,
+        rangeNoise,
+        actuatorNoise,
+        isChanging,
+        keeping,
         true);
   }
 

@@ -44,11 +44,34 @@ class SwarmDriveTest {
   void noiseOfTheWheelsStaysInTheShapeOfThePublishedLawOnly() {
     SwarmSetup noisy = SETUP.under(0, 0, 0.2, false);
     double published = drive(empty(), noisy, 2, 1).shapeError();
-    double extended = drive(empty(), noisy.extended(), 2, 1).shapeError();
+    double extended = drive(empty(), noisy.keepingShape(), 2, 1).shapeError();
 
     // a random walk: 0.2 x 2 m x sqrt(2 x 800 steps) = 16 m
     assertTrue(published > 8 && published < 32, () -> "published " + published);
     assertTrue(extended < 2, () -> "extended " + extended);
+  }
+
+  /**
+   * A wall beside the way, 100 m from the outermost robots: the rays that look most outward, by 50
+   * degrees, meet it after 131 m, and see 120 m.
+   */
+  @Test
+  void noiseShowsWhatIsFartherThanTheRange() {
+    Vec2 beside = SwarmMap.START.plus(new Vec2(200, 140));
+    SwarmMap map = empty().with(beside, beside.plus(new Vec2(1000, 20)));
+
+    assertEquals(0, aside(map, SETUP), 1e-9);
+    assertTrue(aside(map, SETUP.under(0, 0.1, 0, false)) > 10);
+  }
+
+  /** How far the leader's way leads from the straight line, metres. */
+  private static double aside(SwarmMap map, SwarmSetup setup) {
+    SwarmLaw law = new SwarmLaw(Math.toRadians(5), 0, 0);
+    return new SwarmDrive(map, setup, law, 2, new SplittableRandom(1))
+        .run().track().stream()
+            .mapToDouble(place -> Math.abs(place.y() - SwarmMap.START.y()))
+            .max()
+            .orElseThrow();
   }
 
   @ParameterizedTest
