@@ -25,6 +25,7 @@ import org.toqa.grid.FloorMap;
 import org.toqa.grid.Margins;
 import org.toqa.grid.OccupancyGrid;
 import org.toqa.grid.Place;
+import org.toqa.link.message.AgentMessage.Fault;
 import org.toqa.mission.TaskState;
 import org.toqa.sim.SimulatedFloor;
 
@@ -76,6 +77,9 @@ class FreeZoneFleetTest {
   /** Whether the zone was stored as a robot's own. */
   private final AtomicBoolean wasLent = new AtomicBoolean();
 
+  /** Whether a robot said that it does not find its way through the zone. */
+  private final AtomicBoolean wasStuck = new AtomicBoolean();
+
   private void open(String[] rows, Vec2... parking) throws Exception {
     OccupancyGrid drawn = OccupancyGrid.parse(rows);
     FloorDrawing drawing =
@@ -98,7 +102,21 @@ class FreeZoneFleetTest {
     FloorMap floor = new FloorMap("hall", drawing, Margins.USUAL);
     live = LiveFloor.withFourAgents(folder, floor, SimulatedFloor.of(floor), SPEED);
     live.clock.add(_ -> wasLent.compareAndSet(false, live.isZoneLent()), Duration.ofSeconds(1));
+    live.clock.add(_ -> wasStuck.compareAndSet(false, isStuck()), Duration.ofMillis(100));
     live.start();
+  }
+
+  private boolean isStuck() {
+    return live.fleet.snapshots().latest().robots().stream()
+        .flatMap(robot -> robot.telemetry().errors().stream())
+        .map(Fault::code)
+        .anyMatch("ZONE_STUCK"::equals);
+  }
+
+  /** Through the zone by their own sense, and not by a path that they were given for it. */
+  private void assertFoundTheirWay() {
+    assertTrue(wasLent.get(), "was never lent the zone");
+    assertFalse(wasStuck.get(), "did not find its way");
   }
 
   @AfterEach
@@ -117,7 +135,7 @@ class FreeZoneFleetTest {
     awaitDone(back);
     assertFalse(wasDrivenInto.get(), "drove into it, by " + nearest);
     assertTrue(nearest.get() < 0.6, "never met it: " + nearest);
-    assertTrue(wasLent.get(), "was never lent the zone");
+    assertFoundTheirWay();
   }
 
   @Test
@@ -125,7 +143,7 @@ class FreeZoneFleetTest {
     open(HALL, cell(2, 2));
     long task = live.submit(2, "A", "Middle");
     FleetSnapshot done = awaitDone(task);
-    assertTrue(wasLent.get(), "was never lent the zone");
+    assertFoundTheirWay();
     assertEquals(1, done.robots().size());
   }
 
@@ -136,7 +154,7 @@ class FreeZoneFleetTest {
     rows[6] = rows[6].substring(0, 14) + "##" + rows[6].substring(16);
     open(rows, cell(2, 2));
     awaitDone(live.submit(2, "A", "B"));
-    assertTrue(wasLent.get(), "was never lent the zone");
+    assertFoundTheirWay();
   }
 
   /** {@link LiveFloor} judges that they never touch. */
@@ -147,20 +165,20 @@ class FreeZoneFleetTest {
     long back = live.submit(2, "C", "D");
     awaitDone(there);
     awaitDone(back);
-    assertTrue(wasLent.get(), "was never lent the zone");
+    assertFoundTheirWay();
   }
 
   @Test
   void whoDoesNotFindItsWayIsGivenAPath() throws Exception {
     open(HALL, cell(2, 2));
-    // a wall of boxes but for a gap that the agents' margins close and a path does not
-    for (int i = 0; i < 5; i++) {
-      live.world.putObstacle("box " + i, new Vec2(4.4, 0.5 + 0.3 * i), 0.15);
-      live.world.putObstacle("more " + i, new Vec2(4.4, 2.75 + 0.3 * i), 0.15);
+    // a wall of boxes but for a gap far beside the way, which no agent looks for and a path does
+    for (double y = 0.45; y < 2.3; y += 0.3) {
+      live.world.putObstacle("box " + y, new Vec2(4.4, y), 0.15);
     }
     long task = live.submit(2, "A", "B");
     awaitDone(task);
     assertTrue(wasLent.get(), "was never lent the zone");
+    assertTrue(wasStuck.get(), "found its way");
   }
 
   private FleetSnapshot awaitDone(long task) throws Exception {

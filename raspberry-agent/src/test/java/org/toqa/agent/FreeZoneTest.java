@@ -191,10 +191,13 @@ class FreeZoneTest {
     lend(ZONE);
     server.advanceUntil(s -> s.segment() >= FROM, MINUTES);
     double least = Double.POSITIVE_INFINITY;
+    int looks = 0;
     while (server.state().room() == RoomUse.HELD && !isStuck(server.state())) {
       server.advance(Duration.ofMillis(100));
       least = Math.min(least, ZONE.inside(things.truth().position(), RADIUS));
+      looks++;
     }
+    assertTrue(looks > 100, "was in the zone for %d tenths of a second".formatted(looks));
     assertTrue(least > -0.002, "out by " + -least);
   }
 

@@ -13,8 +13,14 @@ import org.toqa.geometry.Twist;
  * </pre>
  *
  * <p>solved for v and w. On s1 = s2 = 0 the robot is abeam of the reference and heads towards its
- * line. The seed has k = 1, in whatever unit; vr ye is an area by time, so k is a parameter here. s
- * is within the boundary layer after at most (1/Q) ln((Q |s0| + P) / (Q boundary + P)) seconds.
+ * line. The seed has k = 1, in whatever unit; vr ye is an area by time, so k is a parameter here.
+ *
+ * <p>s is within the boundary layer after at most (1/Q) ln((Q |s0| + P) / (Q boundary + P)) seconds
+ * as long as the wheels do what they are told and 1 + g xe >= 0.2, with g = k vr / (1 + (k vr
+ * ye)^2): beyond that the factor of w is kept from zero, and s2 is reached later. With k = 1 /
+ * (wheel speed x margin) and vr at most 0.8 of the wheel speed that is so from all errors up to the
+ * margin, where a reference begins anew. Where the wheels' limits cut in it takes
+ * longer: the seed's robot 4 s at most.
  *
  * @param along of s1, metres
  * @param turning of s2, radians

@@ -49,6 +49,11 @@ final class StaticAvoidance {
             1 / (body.wheelSpeed() * settings.margin()));
   }
 
+  /** With the gains that are shipped. */
+  SlidingMode tracker() {
+    return tracker;
+  }
+
   /**
    * An obstacle with its circle.
    *

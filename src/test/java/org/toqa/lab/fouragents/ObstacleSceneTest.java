@@ -7,6 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.List;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
+import org.toqa.avoidance.fouragents.DifferentialBody;
 import org.toqa.avoidance.fouragents.FourAgentsSettings;
 import org.toqa.geometry.Pose;
 import org.toqa.geometry.Vec2;
@@ -73,21 +74,41 @@ class ObstacleSceneTest {
     assertEquals(expected, scene.shortest(0.1).orElseThrow(), 1e-6);
   }
 
-  @Test
-  void whatComesOverARobotThatStandsCountsApart() {
+  /** A disc of 0.04 m that comes at 0.05 m/s from 0.3 m behind; the robot's target is ahead. */
+  private static SceneDrive.Result hitFromBehind(double wheelSpeed) {
+    DifferentialBody body = SETTINGS.body();
+    FourAgentsSettings settings =
+        new FourAgentsSettings(
+            new DifferentialBody(body.radius(), body.track(), wheelSpeed, body.acceleration()),
+            SETTINGS.sensorRange(),
+            SETTINGS.danger(),
+            SETTINGS.arrival(),
+            SETTINGS.margin(),
+            SETTINGS.approach(),
+            SETTINGS.cruise(),
+            SETTINGS.hysteresis(),
+            SETTINGS.tolerance(),
+            SETTINGS.convergence());
     ObstacleScene scene =
         new ObstacleScene(
             "hit",
-            new Vec2(1, 1),
+            new Vec2(2, 1),
             new Pose(0.5, 0.5, 0),
-            new Vec2(0.9, 0.5),
+            new Vec2(1.9, 0.5),
             List.of(),
-            List.of(new MovingDisc(0.04, new Vec2(0.5, 0.5), new Vec2(0.6, 0.5), 0.05)));
+            List.of(new MovingDisc(0.04, new Vec2(0.2, 0.5), new Vec2(1.9, 0.5), 0.05)));
+    return new SceneDrive(scene, settings, 0, new SplittableRandom(1)).run();
+  }
 
-    SceneDrive.Result result = new SceneDrive(scene, SETTINGS, 0, new SplittableRandom(1)).run();
+  /** Slower than 2 mm/s is standing; between the rims are 0.3 - 0.035 - 0.04 m. */
+  @Test
+  void whatComesOverARobotThatStandsCountsApart() {
+    SceneDrive.Result stands = hitFromBehind(0.001);
+    SceneDrive.Result drives = hitFromBehind(0.01);
 
-    assertEquals(SceneDrive.End.HIT_STANDING, result.end());
-    assertEquals(0, result.seconds());
+    assertEquals(SceneDrive.End.HIT_STANDING, stands.end());
+    assertEquals(0.225 / 0.05, stands.seconds(), 0.2);
+    assertEquals(SceneDrive.End.CONTACT, drives.end());
   }
 
   @Test
