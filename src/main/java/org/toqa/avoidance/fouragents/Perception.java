@@ -7,8 +7,9 @@ import org.toqa.geometry.Vec2;
 
 /**
  * The perception agent: gathers the sensors' readings, and tells apart what is known from what is
- * not. A reading belongs to a known obstacle if its point is within the obstacle's circle, or
- * beside it by less than the tolerance.
+ * not. A reading is known if it is no shorter than what the outlines of known obstacles let the
+ * sensor expect: so what stands before a known thing is seen. Of an obstacle of which only the
+ * circle is known, all readings in that circle are.
  *
  * @param ring the sensors
  * @param tolerance metres: noise of sensors and pose
@@ -27,12 +28,23 @@ record Perception(RangeRing ring, double tolerance) {
     for (int i = 0; i < RangeRing.SIZE; i++) {
       double reading = i < ranges.size() ? ranges.get(i) : 0;
       double range = reading >= 0 ? Math.min(reading, ring.farthest()) : 0;
-      Vec2 point = robot.compose(beams.get(i)).compose(new Pose(range, 0, 0)).position();
-      boolean isKnown =
-          known.stream().anyMatch(o -> o.centre().distanceTo(point) <= o.radius() + tolerance);
       all.add(range);
-      unknown.add(isKnown ? ring.farthest() : range);
+      unknown.add(isKnown(robot.compose(beams.get(i)), range, known) ? ring.farthest() : range);
     }
     return new Percept(List.copyOf(all), List.copyOf(unknown));
+  }
+
+  private boolean isKnown(Pose beam, double range, List<StaticObstacle> known) {
+    Vec2 point = beam.compose(new Pose(range, 0, 0)).position();
+    double expected = ring.farthest();
+    for (StaticObstacle obstacle : known) {
+      if (obstacle.outline().isEmpty() && obstacle.contains(point, tolerance)) {
+        return true;
+      }
+      for (Pose ray : RangeRing.rays(beam)) {
+        expected = obstacle.range(ray, expected);
+      }
+    }
+    return expected < ring.farthest() && range >= expected - tolerance;
   }
 }

@@ -27,6 +27,9 @@ public record RangeRing(double radius, double farthest) {
           Math.toRadians(-160),
           Math.toRadians(160));
 
+  /** Radians that a sensor sees to either side of where it looks. */
+  private static final double CONE = Math.toRadians(10);
+
   /** How many sensors there are. */
   public static final int SIZE = DIRECTIONS.size();
 
@@ -54,5 +57,11 @@ public record RangeRing(double radius, double farthest) {
     return DIRECTIONS.stream()
         .map(d -> new Pose(radius * Math.cos(d), radius * Math.sin(d), d))
         .toList();
+  }
+
+  /** The rays of a sensor's cone: to one side, in its middle, to the other side. */
+  public static List<Pose> rays(Pose beam) {
+    return List.of(
+        beam.compose(new Pose(0, 0, -CONE)), beam, beam.compose(new Pose(0, 0, CONE)));
   }
 }

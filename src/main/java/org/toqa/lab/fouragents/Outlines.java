@@ -34,29 +34,6 @@ final class Outlines {
     return nearest;
   }
 
-  /** Metres along a ray to an outline; at most {@code farthest}. */
-  static double seen(List<Vec2> corners, Pose ray, double farthest) {
-    double cos = Math.cos(ray.theta());
-    double sin = Math.sin(ray.theta());
-    double nearest = farthest;
-    for (int i = 0; i < corners.size(); i++) {
-      Vec2 a = corners.get(i);
-      Vec2 b = corners.get((i + 1) % corners.size());
-      // in the ray's frame: where does the edge cross its line?
-      double ay = (a.y() - ray.y()) * cos - (a.x() - ray.x()) * sin;
-      double by = (b.y() - ray.y()) * cos - (b.x() - ray.x()) * sin;
-      if (ay * by <= 0 && ay != by) {
-        double ax = (a.x() - ray.x()) * cos + (a.y() - ray.y()) * sin;
-        double bx = (b.x() - ray.x()) * cos + (b.y() - ray.y()) * sin;
-        double along = ax + (bx - ax) * ay / (ay - by);
-        if (along >= 0) {
-          nearest = Math.min(nearest, along);
-        }
-      }
-    }
-    return nearest;
-  }
-
   /** Metres along a ray to a disc; at most {@code farthest}. */
   static double seen(Vec2 centre, double radius, Pose ray, double farthest) {
     Vec2 there = centre.minus(ray.position()).rotated(-ray.theta());

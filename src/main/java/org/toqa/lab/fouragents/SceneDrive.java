@@ -9,6 +9,7 @@ import org.toqa.avoidance.fouragents.DifferentialBody;
 import org.toqa.avoidance.fouragents.DrivingAgent;
 import org.toqa.avoidance.fouragents.FourAgents;
 import org.toqa.avoidance.fouragents.FourAgentsSettings;
+import org.toqa.avoidance.fouragents.RangeRing;
 import org.toqa.avoidance.fouragents.StaticObstacle;
 import org.toqa.avoidance.fouragents.WheelVelocities;
 import org.toqa.geometry.Pose;
@@ -23,9 +24,6 @@ final class SceneDrive {
 
   /** Seconds between two steps of the law, and of the world. */
   private static final double STEP = 0.02;
-
-  /** Radians of a sensor's outer rays from its middle one. */
-  private static final double CONE = Math.toRadians(10);
 
   /** Metres from the target that are there. */
   static final double THERE = 0.01;
@@ -154,10 +152,9 @@ final class SceneDrive {
     List<Double> ranges = new ArrayList<>(beams.size());
     double farthest = settings.sensorRange();
     for (Pose beam : beams) {
-      Pose middle = robot.compose(beam);
       double range = farthest;
-      for (int i = -1; i <= 1; i++) {
-        range = seen(middle.compose(new Pose(0, 0, i * CONE)), time, range);
+      for (Pose ray : RangeRing.rays(robot.compose(beam))) {
+        range = seen(ray, time, range);
       }
       boolean isSeen = range < farthest;
       double read = isSeen ? range * (1 + noise * random.nextGaussian()) : farthest;
@@ -168,8 +165,8 @@ final class SceneDrive {
 
   private double seen(Pose ray, double time, double farthest) {
     double range = farthest;
-    for (List<Vec2> corners : scene.standing()) {
-      range = Outlines.seen(corners, ray, range);
+    for (StaticObstacle obstacle : known) {
+      range = obstacle.range(ray, range);
     }
     for (MovingDisc disc : scene.moving()) {
       range = Outlines.seen(disc.at(time), disc.radius(), ray, range);
