@@ -24,6 +24,12 @@ public final class GeneratedScenes implements Experiment {
   /** Scenes of each variant in the run that shows how sensitive the result is. */
   private static final int SENSITIVITY_SCENES = 100;
 
+  /** After so many scenes a run tells how far it is. */
+  private static final int TOLD = 20;
+
+  /** What making a scene, with its shortest path, takes: a part of a drive. */
+  private static final double MAKING = 0.7;
+
   @Override
   public String name() {
     return "four-agents-generated";
@@ -61,8 +67,9 @@ public final class GeneratedScenes implements Experiment {
     List<SceneGenerator.Solvable> solvable = new ArrayList<>();
     SceneGenerator generator = generator();
     for (int i = 0; i < scenes; i++) {
-      if (i % 20 == 0) {
-        run.progress(0.4 * i / scenes, "scene " + (i + 1) + " of " + scenes);
+      if (i % TOLD == 0) {
+        run.progress(
+            MAKING * i / work(scenes), "scene %d of %d is made".formatted(i + 1, scenes));
       }
       run.checkStopped();
       solvable.add(
@@ -114,10 +121,27 @@ public final class GeneratedScenes implements Experiment {
     return new SceneGenerator(chosen.body().radius(), chosen.margin(), chosen.body().wheelSpeed());
   }
 
+  /** What a run with so many scenes takes, in drives. */
+  private static double work(int scenes) {
+    return (MAKING + 1) * scenes + (VARIANTS.size() + 1) * Math.min(SENSITIVITY_SCENES, scenes);
+  }
+
   private static List<Drive> drive(List<SceneGenerator.Solvable> scenes, Run run) {
+    int count = scenes.size();
+    List<Drive> drives = new ArrayList<>();
+    for (int i = 0; i < count; i += TOLD) {
+      run.progress(
+          (MAKING * count + i) / work(count), "scene %d of %d is driven".formatted(i + 1, count));
+      drives.addAll(drive(scenes, i, Math.min(i + TOLD, count), run));
+    }
+    return drives;
+  }
+
+  private static List<Drive> drive(
+      List<SceneGenerator.Solvable> scenes, int begin, int end, Run run) {
     FourAgentsSettings settings = AvoidanceParameters.settings(run);
     List<Drive> drives = new ArrayList<>();
-    for (int i = 0; i < scenes.size(); i++) {
+    for (int i = begin; i < end; i++) {
       run.checkStopped();
       SplittableRandom random = new SplittableRandom(run.seed() * 7_000_003 + i);
       double noise = run.value(AvoidanceParameters.NOISE);
@@ -164,30 +188,34 @@ public final class GeneratedScenes implements Experiment {
     return Long.toString(drives.stream().filter(d -> d.result().end() == end).count());
   }
 
+  private record Variant(Parameter parameter, double value) {}
+
+  private static final List<Variant> VARIANTS =
+      List.of(
+          new Variant(AvoidanceParameters.MARGIN, 0.01),
+          new Variant(AvoidanceParameters.MARGIN, 0.04),
+          new Variant(AvoidanceParameters.DANGER, 0.03),
+          new Variant(AvoidanceParameters.DANGER, 0.08),
+          new Variant(AvoidanceParameters.APPROACH, 0),
+          new Variant(AvoidanceParameters.APPROACH, 0.04),
+          new Variant(AvoidanceParameters.HYSTERESIS, 0),
+          new Variant(AvoidanceParameters.HYSTERESIS, 0.2),
+          new Variant(AvoidanceParameters.NOISE, 0),
+          new Variant(AvoidanceParameters.NOISE, 0.05));
+
   /** One parameter at a time, on the first scenes. */
   private static Table sensitivity(List<SceneGenerator.Solvable> scenes, Run run) {
-    record Variant(Parameter parameter, double value) {}
-    List<Variant> variants =
-        List.of(
-            new Variant(AvoidanceParameters.MARGIN, 0.01),
-            new Variant(AvoidanceParameters.MARGIN, 0.04),
-            new Variant(AvoidanceParameters.DANGER, 0.03),
-            new Variant(AvoidanceParameters.DANGER, 0.08),
-            new Variant(AvoidanceParameters.APPROACH, 0),
-            new Variant(AvoidanceParameters.APPROACH, 0.04),
-            new Variant(AvoidanceParameters.HYSTERESIS, 0),
-            new Variant(AvoidanceParameters.HYSTERESIS, 0.2),
-            new Variant(AvoidanceParameters.NOISE, 0),
-            new Variant(AvoidanceParameters.NOISE, 0.05));
     List<SceneGenerator.Solvable> some =
         scenes.subList(0, Math.min(SENSITIVITY_SCENES, scenes.size()));
     List<List<String>> rows = new ArrayList<>();
-    rows.add(sensitivityRow("as chosen", drive(some, run)));
-    for (int i = 0; i < variants.size(); i++) {
-      Variant variant = variants.get(i);
+    rows.add(sensitivityRow("as chosen", drive(some, 0, some.size(), run)));
+    for (int i = 0; i < VARIANTS.size(); i++) {
+      Variant variant = VARIANTS.get(i);
       String name = "%s %s".formatted(variant.parameter().name(), Medians.text(variant.value(), 2));
-      run.progress(0.5 + 0.5 * i / variants.size(), name);
-      rows.add(sensitivityRow(name, drive(some, run.with(variant.parameter(), variant.value()))));
+      double left = (double) (VARIANTS.size() - i) * some.size();
+      run.progress(1 - left / work(scenes.size()), name);
+      Run changed = run.with(variant.parameter(), variant.value());
+      rows.add(sensitivityRow(name, drive(some, 0, some.size(), changed)));
     }
     return new Table(
         "sensitivity",
