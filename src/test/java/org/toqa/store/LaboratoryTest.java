@@ -103,8 +103,7 @@ class LaboratoryTest extends DatabaseTest {
                 }
                 return method.invoke(kept, arguments);
               });
-      return new Laboratory(
-          (LabRunStore) store, experiments, slot, InstantSource.system());
+      return new Laboratory((LabRunStore) store, experiments, slot, InstantSource.system());
     }
   }
 

@@ -61,7 +61,6 @@ public record RangeRing(double radius, double farthest) {
 
   /** The rays of a sensor's cone: to one side, in its middle, to the other side. */
   public static List<Pose> rays(Pose beam) {
-    return List.of(
-        beam.compose(new Pose(0, 0, -CONE)), beam, beam.compose(new Pose(0, 0, CONE)));
+    return List.of(beam.compose(new Pose(0, 0, -CONE)), beam, beam.compose(new Pose(0, 0, CONE)));
   }
 }

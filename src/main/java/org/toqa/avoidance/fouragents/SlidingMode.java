@@ -19,8 +19,8 @@ import org.toqa.geometry.Twist;
  * as long as the wheels do what they are told and 1 + g xe >= 0.2, with g = k vr / (1 + (k vr
  * ye)^2): beyond that the factor of w is kept from zero, and s2 is reached later. With k = 1 /
  * (wheel speed x margin) and vr at most 0.8 of the wheel speed that is so from all errors up to the
- * margin, where a reference begins anew. Where the wheels' limits cut in it takes
- * longer: the seed's robot 4 s at most.
+ * margin, where a reference begins anew. Where the wheels' limits cut in it takes longer: the
+ * seed's robot 4 s at most.
  *
  * @param along of s1, metres
  * @param turning of s2, radians

@@ -68,8 +68,7 @@ public final class GeneratedScenes implements Experiment {
     SceneGenerator generator = generator();
     for (int i = 0; i < scenes; i++) {
       if (i % TOLD == 0) {
-        run.progress(
-            MAKING * i / work(scenes), "scene %d of %d is made".formatted(i + 1, scenes));
+        run.progress(MAKING * i / work(scenes), "scene %d of %d is made".formatted(i + 1, scenes));
       }
       run.checkStopped();
       solvable.add(

@@ -468,8 +468,7 @@ public final class SwarmSweep implements Experiment {
     variants.forEach(
         (name, variant) -> {
           double begin = SWEEP_SHARE + LOOPS_SHARE;
-          run.progress(
-              begin + (1 - begin) * rows.size() / variants.size(), "sensitivity, " + name);
+          run.progress(begin + (1 - begin) * rows.size() / variants.size(), "sensitivity, " + name);
           rows.add(sensitivityRow(name, variant));
         });
     return new Table(
@@ -482,8 +481,7 @@ public final class SwarmSweep implements Experiment {
   private static void put(
       Map<String, Run> variants, Run run, Parameter parameter, double... values) {
     for (double value : values) {
-      variants.put(
-          "%s %d".formatted(parameter.name(), (long) value), run.with(parameter, value));
+      variants.put("%s %d".formatted(parameter.name(), (long) value), run.with(parameter, value));
     }
   }
 

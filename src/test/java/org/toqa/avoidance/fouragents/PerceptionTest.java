@@ -18,8 +18,7 @@ class PerceptionTest {
   private static final int FRONT = 2;
   private static final Perception PERCEPTION = new Perception(new RangeRing(0.1, FARTHEST), 0.01);
   private static final List<Vec2> SQUARE =
-      List.of(
-          new Vec2(0.3, -0.2), new Vec2(0.7, -0.2), new Vec2(0.7, 0.2), new Vec2(0.3, 0.2));
+      List.of(new Vec2(0.3, -0.2), new Vec2(0.7, -0.2), new Vec2(0.7, 0.2), new Vec2(0.3, 0.2));
   private static final StaticObstacle OUTLINE = StaticObstacle.around(SQUARE);
   private static final StaticObstacle CIRCLE =
       new StaticObstacle(OUTLINE.centre(), OUTLINE.radius());
@@ -28,10 +27,7 @@ class PerceptionTest {
   private static double unknown(double reading, StaticObstacle... known) {
     List<Double> ranges = new ArrayList<>(Collections.nCopies(RangeRing.SIZE, FARTHEST));
     ranges.set(FRONT, reading);
-    return PERCEPTION
-        .percept(ranges, new Pose(0, 0, 0), List.of(known))
-        .unknown()
-        .get(FRONT);
+    return PERCEPTION.percept(ranges, new Pose(0, 0, 0), List.of(known)).unknown().get(FRONT);
   }
 
   @Test

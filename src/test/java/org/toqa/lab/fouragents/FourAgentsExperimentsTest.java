@@ -20,8 +20,7 @@ class FourAgentsExperimentsTest {
   private final List<Double> shares = new ArrayList<>();
 
   private Report report(Experiment experiment, long seed) {
-    return experiment.run(
-        new Run(seed, 1, Map.of(), (share, _) -> shares.add(share), () -> false));
+    return experiment.run(new Run(seed, 1, Map.of(), (share, _) -> shares.add(share), () -> false));
   }
 
   /** Some columns of a table, a line each. */

@@ -43,7 +43,10 @@ class SwarmExperimentsTest {
 
   private static String of(Report report, String figure) {
     Figure found =
-        report.figures().stream().filter(one -> one.name().equals(figure)).findFirst().orElseThrow();
+        report.figures().stream()
+            .filter(one -> one.name().equals(figure))
+            .findFirst()
+            .orElseThrow();
     return found.measured().text() + ": " + found.verdict().word();
   }
 
