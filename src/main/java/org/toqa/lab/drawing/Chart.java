@@ -6,6 +6,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.function.ToDoubleFunction;
 import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import org.toqa.svg.SvgWriter;
 
 /**
@@ -37,14 +38,30 @@ public record Chart(String name, String title, String across, String up, List<Se
     }
   }
 
-  /** Points joined by a line, which has a gap where there is none. */
-  public record Series(String name, List<Point> points) {
+  /**
+   * Points joined by a line, which has a gap where there is none.
+   *
+   * @param least the lower border of a band about the line, as many points; empty: there is none
+   * @param most its upper border
+   */
+  public record Series(String name, List<Point> points, List<Point> least, List<Point> most) {
     public Series {
       points = List.copyOf(points);
+      least = List.copyOf(least);
+      most = List.copyOf(most);
+    }
+
+    /** Without a band. */
+    public Series(String name, List<Point> points) {
+      this(name, points, List.of(), List.of());
+    }
+
+    List<Point> all() {
+      return Stream.of(points, least, most).flatMap(List::stream).toList();
     }
 
     /** The points between gaps. */
-    List<List<Point>> parts() {
+    static List<List<Point>> parts(List<Point> points) {
       List<List<Point>> parts = new ArrayList<>();
       boolean isGap = true;
       for (Point point : points) {
@@ -70,7 +87,7 @@ public record Chart(String name, String title, String across, String up, List<Se
       double least = Double.POSITIVE_INFINITY;
       double most = Double.NEGATIVE_INFINITY;
       for (Series one : series) {
-        for (Point point : one.points()) {
+        for (Point point : one.all()) {
           double at = value.applyAsDouble(point);
           least = Double.isFinite(at) ? Math.min(least, at) : least;
           most = Double.isFinite(at) ? Math.max(most, at) : most;
@@ -122,12 +139,23 @@ public record Chart(String name, String title, String across, String up, List<Se
     drawAxes(svg, x, y);
     for (int i = 0; i < series.size(); i++) {
       String colour = Colour.ofLine(i).code();
-      for (List<Point> part : series.get(i).parts()) {
+      drawBand(svg, series.get(i), x, y, colour);
+      for (List<Point> part : Series.parts(series.get(i).points())) {
         svg.stroke(path(part, x, y), colour, part.size() == 1 ? DOT : 2);
       }
       svg.label(series.get(i).name(), LEFT, TOP + HEIGHT + AXIS + LINE_OF_LEGEND * i + 12, colour);
     }
     return svg.end();
+  }
+
+  private static void drawBand(SvgWriter svg, Series series, Axis x, Axis y, String colour) {
+    List<List<Point>> least = Series.parts(series.least());
+    List<List<Point>> most = Series.parts(series.most());
+    for (int i = 0; i < least.size(); i++) {
+      List<Point> around = new ArrayList<>(least.get(i));
+      around.addAll(most.get(i).reversed());
+      svg.element("path", "d", path(around, x, y), "fill", colour, "fill-opacity", "0.15");
+    }
   }
 
   private static String path(List<Point> points, Axis x, Axis y) {

@@ -6,6 +6,8 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.SplittableRandom;
+import java.util.function.ToDoubleFunction;
+import java.util.stream.DoubleStream;
 import org.toqa.formation.swarm.Observers;
 import org.toqa.formation.swarm.SwarmLaw;
 import org.toqa.geometry.Vec2;
@@ -100,14 +102,25 @@ public final class SwarmSweep implements Experiment {
       return reached() == 1 && mostLost() == 0;
     }
 
+    /** Of those that arrived. */
+    private DoubleStream steps() {
+      return results.stream()
+          .filter(SwarmDrive.Result::isReached)
+          .mapToDouble(SwarmDrive.Result::steps);
+    }
+
     /** Of those that arrived; NaN where none did. */
     double medianSteps() {
-      double[] steps =
-          results.stream()
-              .filter(SwarmDrive.Result::isReached)
-              .mapToDouble(SwarmDrive.Result::steps)
-              .toArray();
+      double[] steps = steps().toArray();
       return steps.length == 0 ? Double.NaN : new Percentiles(steps).percentile(0.5);
+    }
+
+    double leastSteps() {
+      return steps().min().orElse(Double.NaN);
+    }
+
+    double mostSteps() {
+      return steps().max().orElse(Double.NaN);
     }
   }
 
@@ -519,15 +532,13 @@ public final class SwarmSweep implements Experiment {
       for (int turn : TURNS) {
         List<Cell> those = of(cells, name, turn);
         steps.add(
-            new Chart.Series(
-                "w = " + turn,
-                those.stream()
-                    .map(c -> new Chart.Point(c.speed(), Math.log10(c.medianSteps())))
-                    .toList()));
-        lost.add(
-            new Chart.Series(
-                "w = " + turn,
-                those.stream().map(c -> new Chart.Point(c.speed(), c.meanLost())).toList()));
+            series(
+                turn,
+                those,
+                cell -> Math.log10(cell.medianSteps()),
+                cell -> Math.log10(cell.leastSteps()),
+                cell -> Math.log10(cell.mostSteps())));
+        lost.add(series(turn, those, Cell::meanLost, Cell::leastLost, Cell::mostLost));
       }
       String on = ", " + name + " map";
       drawings.add(
@@ -535,18 +546,34 @@ public final class SwarmSweep implements Experiment {
               "steps-" + name,
               "Steps to the target (figure 11)" + on,
               "v (m/s)",
-              "log10 of the median steps of those that arrived; a gap where none did",
+              "log10 of the steps of those that arrived: median, fewest to most; a gap where none did",
               steps));
       drawings.add(
           new Chart(
               "lost-" + name,
               "Robots lost of " + ROBOTS + " (figure 12)" + on,
               "v (m/s)",
-              "robots",
+              "robots: mean, least to most",
               lost));
       drawings.add(picture(SwarmMap.named(name), setup, run));
     }
     return drawings;
+  }
+
+  private static Chart.Series series(
+      int turn,
+      List<Cell> cells,
+      ToDoubleFunction<Cell> middle,
+      ToDoubleFunction<Cell> least,
+      ToDoubleFunction<Cell> most) {
+    return new Chart.Series(
+        "w = " + turn, points(cells, middle), points(cells, least), points(cells, most));
+  }
+
+  private static List<Chart.Point> points(List<Cell> cells, ToDoubleFunction<Cell> value) {
+    return cells.stream()
+        .map(cell -> new Chart.Point(cell.speed(), value.applyAsDouble(cell)))
+        .toList();
   }
 
   /** Tracks of the virtual leader at some speeds, w = 1 (figures 13 and 14). */

@@ -39,4 +39,21 @@ class ChartTest {
   void aChartOfGapsOnlyHasAxesAndNoLine() {
     assertTrue(lines(new Point(0, Double.NaN), new Point(1, Double.NaN)).isEmpty());
   }
+
+  /** The axes have room for the band, up to 2. */
+  @Test
+  void aBandGoesRoundWhatIsBetweenItsBordersAndHasTheSameGaps() {
+    double none = Double.NaN;
+    Series series =
+        new Series(
+            "a",
+            List.of(new Point(0, 1), new Point(1, 1), new Point(2, none)),
+            List.of(new Point(0, 0), new Point(1, 1), new Point(2, none)),
+            List.of(new Point(0, 2), new Point(1, 2), new Point(2, none)));
+    String svg = new Chart("a", "A", "x", "y", List.of(series)).svg();
+
+    assertTrue(
+        svg.contains("d=\"M84 464L430 254L430 44L84 44\" fill=\"" + Colour.BLUE.code()), svg);
+    assertTrue(svg.contains("d=\"M84 254L430 254\""), svg);
+  }
 }
