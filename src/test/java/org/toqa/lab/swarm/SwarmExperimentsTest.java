@@ -15,7 +15,7 @@ import org.toqa.lab.experiment.Report;
 import org.toqa.lab.experiment.Run;
 import org.toqa.lab.experiment.Verdict;
 
-/** What the commands in docs/laboratory.md print of a swarm. */
+/** What the commands in docs/laboratory.md print of a swarm, in one run. */
 @Tag("full")
 class SwarmExperimentsTest {
   private static final int SEED = 2;
