@@ -112,7 +112,7 @@ class LaboratoryInBrowserTest extends PagesInBrowser {
     LabRun waits = start(new LabOrder("csm-static", 1, 1, Map.of()));
     Page first = loggedIn(WebTestServer.MANAGER, DESK, "laboratory/runs/" + endless.id());
     assertThat(first.locator(".heading .state")).hasText("Running");
-    assertThat(first.locator("[data-step]")).hasText("as published");
+    assertThat(first.locator("[data-step]")).hasText("as published, law published");
     assertFits(first, "laboratory-running", PHONE, DESK);
     first.close();
 
