@@ -16,6 +16,7 @@ RADIUS = 0.05
 COUNTS_PER_TURN = 4096
 MAX_SPEED = 0.6
 SILENCE = 0.2
+LONGEST_AGE = 400
 TICK = 0.005
 
 
@@ -52,13 +53,14 @@ class Body:
 
     def obey(self, order):
         with self.lock:
-            if order["seq"] > self.seq:
+            stamp = int(time.monotonic() * 1000)
+            if order["seq"] > self.seq and 0 <= stamp - order.get("after", stamp) <= LONGEST_AGE:
                 self.seq = order["seq"]
                 self.speeds = [self.speed(order["left"]), self.speed(order["right"])]
                 self.told_at = time.monotonic()
             left, right = (math.floor(m / (2 * math.pi * RADIUS) * COUNTS_PER_TURN) for m in self.metres)
             return {
-                "seq": self.seq, "boot": self.boot, "stamp": int(time.monotonic() * 1000),
+                "seq": self.seq, "boot": self.boot, "stamp": stamp,
                 "left": left, "right": right, "extra": "is ignored",
             }
 

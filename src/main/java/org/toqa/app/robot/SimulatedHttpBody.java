@@ -5,6 +5,7 @@ import java.nio.file.Files;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.function.LongSupplier;
 import org.jspecify.annotations.Nullable;
 import org.toqa.agent.chassis.ChassisCommand.MoveAt;
 import org.toqa.agent.chassis.ChassisReading;
@@ -24,10 +25,11 @@ import org.toqa.motion.Odometry;
 import org.toqa.motion.WheelSpeeds;
 
 /**
- * A simulated body on two wheels, by the machine's clock: what its wheels are told holds for 200
- * ms. Any thread may call it.
+ * A simulated body on two wheels: what its wheels are told holds for 200 ms. Any thread may call
+ * it.
  */
 final class SimulatedHttpBody implements AutoCloseable {
+  private static final long NANOS_PER_MILLI = 1_000_000;
   private static final double TRACK = 0.20;
   private static final double WHEEL_RADIUS = 0.04;
 
@@ -42,6 +44,7 @@ final class SimulatedHttpBody implements AutoCloseable {
   private final double maxLoad;
   private final List<Double> rangeAngles;
   private final RobotDescription.@Nullable Sonar sonar;
+  private final LongSupplier nanos;
   private final long boot;
   private ChassisReading reading;
   private long seq;
@@ -58,6 +61,7 @@ final class SimulatedHttpBody implements AutoCloseable {
    *     has none
    * @param sonar that it tells of; null: none
    * @param surroundings is told where the body really is
+   * @param nanos its clock, which does not jump back
    */
   SimulatedHttpBody(
       @Nullable Path folder,
@@ -68,8 +72,10 @@ final class SimulatedHttpBody implements AutoCloseable {
       double maxLoad,
       List<Double> rangeAngles,
       RobotDescription.@Nullable Sonar sonar,
-      Surroundings surroundings)
+      Surroundings surroundings,
+      LongSupplier nanos)
       throws IOException {
+    this.nanos = nanos;
     this.maxLoad = maxLoad;
     this.rangeAngles = List.copyOf(rangeAngles);
     this.sonar = sonar;
@@ -91,7 +97,7 @@ final class SimulatedHttpBody implements AutoCloseable {
               sensors,
               surroundings);
     }
-    reading = chassis.exchange(MoveAt.STANDSTILL, System.nanoTime());
+    reading = chassis.exchange(MoveAt.STANDSTILL, nanos.getAsLong());
   }
 
   /** That of the body that is kept, or a new one. */
@@ -122,10 +128,10 @@ final class SimulatedHttpBody implements AutoCloseable {
         seq);
   }
 
-  /** Obeys the order if it is a newer one. */
+  /** Obeys the order if it is a newer one, and was not held up on its way. */
   synchronized WheelReport obey(WheelOrder order) {
-    long now = System.nanoTime();
-    if (order.seq() > seq) {
+    long now = nanos.getAsLong();
+    if (order.seq() > seq && !order.isStale(now / NANOS_PER_MILLI)) {
       seq = order.seq();
       reading = chassis.exchange(new MoveAt(twist(order)), now);
     } else {
@@ -135,7 +141,7 @@ final class SimulatedHttpBody implements AutoCloseable {
     return new WheelReport(
         seq,
         boot,
-        now / 1_000_000,
+        now / NANOS_PER_MILLI,
         counts[0],
         counts[1],
         reading.battery(),
@@ -157,7 +163,7 @@ final class SimulatedHttpBody implements AutoCloseable {
 
   /** Where the body really is, map frame. */
   synchronized Pose truePose() {
-    chassis.advance(System.nanoTime());
+    chassis.advance(nanos.getAsLong());
     return chassis.truePose();
   }
 

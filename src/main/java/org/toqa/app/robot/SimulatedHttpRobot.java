@@ -13,6 +13,7 @@ import java.time.Duration;
 import java.util.List;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
+import java.util.function.LongSupplier;
 import org.jspecify.annotations.Nullable;
 import org.toqa.agent.chassis.Surroundings;
 import org.toqa.geometry.Pose;
@@ -128,6 +129,16 @@ public final class SimulatedHttpRobot implements AutoCloseable {
    * @param surroundings is told where the body really is
    */
   public SimulatedHttpRobot(Settings settings, Surroundings surroundings) throws IOException {
+    this(settings, surroundings, System::nanoTime);
+  }
+
+  /**
+   * The same by another clock than the machine's.
+   *
+   * @param nanos does not jump back
+   */
+  public SimulatedHttpRobot(Settings settings, Surroundings surroundings, LongSupplier nanos)
+      throws IOException {
     token = settings.token();
     delay = settings.delay();
     body =
@@ -140,7 +151,8 @@ public final class SimulatedHttpRobot implements AutoCloseable {
             settings.maxLoad(),
             settings.rangeAngles(),
             settings.sonar(),
-            surroundings);
+            surroundings,
+            nanos);
     InetSocketAddress address = new InetSocketAddress(settings.address(), settings.port());
     try {
       server = server(address, settings.tls());

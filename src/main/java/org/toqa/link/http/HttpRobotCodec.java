@@ -64,6 +64,9 @@ public final class HttpRobotCodec {
 
   public static byte[] encode(WheelOrder order) {
     ObjectNode json = MAPPER.createObjectNode().put("seq", order.seq());
+    if (order.after() != null) {
+      json.put("after", order.after());
+    }
     json.set("left", wheel(order.left()));
     json.set("right", wheel(order.right()));
     return bytes(json);
@@ -142,7 +145,10 @@ public final class HttpRobotCodec {
   public static WheelOrder decodeOrder(byte[] body) throws HttpRobotException {
     JsonNode json = read(body);
     return new WheelOrder(
-        whole(json, "seq", 1, LARGEST_NUMBER), wheel(json, "left"), wheel(json, "right"));
+        whole(json, "seq", 1, LARGEST_NUMBER),
+        isSent(json, "after") ? whole(json, "after", -LARGEST_NUMBER, LARGEST_NUMBER) : null,
+        wheel(json, "left"),
+        wheel(json, "right"));
   }
 
   private static WheelOrder.Wheel wheel(JsonNode json, String name) throws HttpRobotException {

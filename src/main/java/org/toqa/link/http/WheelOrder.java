@@ -1,13 +1,21 @@
 package org.toqa.link.http;
 
+import org.jspecify.annotations.Nullable;
 import org.toqa.motion.WheelCommand;
 
 /**
  * What both wheels shall do until the next order, or until 200 ms are over without one.
  *
  * @param seq rises; one that is not higher than the last has no effect
+ * @param after the stamp of the last answer that was there when it was sent, by the robot's own
+ *     clock; null: it has no age, as the first one
  */
-public record WheelOrder(long seq, Wheel left, Wheel right) {
+public record WheelOrder(long seq, @Nullable Long after, Wheel left, Wheel right) {
+  /**
+   * Milliseconds that an order's {@code after} may be behind the robot's clock. An answer may be
+   * 200 ms on its way and wait 66 ms for the order after it, which has 134 ms for its own way.
+   */
+  public static final long LONGEST_AGE = 400;
 
   /**
    * For one wheel, in the words of CSM-MAMRS.
@@ -24,7 +32,21 @@ public record WheelOrder(long seq, Wheel left, Wheel right) {
     }
   }
 
+  /** One without an age, which may come whenever it will: for robots to stand. */
   public static WheelOrder of(long seq, WheelCommand command) {
-    return new WheelOrder(seq, Wheel.of(command.left()), Wheel.of(command.right()));
+    return of(seq, null, command);
+  }
+
+  public static WheelOrder of(long seq, @Nullable Long after, WheelCommand command) {
+    return new WheelOrder(seq, after, Wheel.of(command.left()), Wheel.of(command.right()));
+  }
+
+  /**
+   * Whether it was held up on its way, or is of a clock that has begun anew since.
+   *
+   * @param clock milliseconds, by which answers are stamped
+   */
+  public boolean isStale(long clock) {
+    return after != null && (after > clock || clock - after > LONGEST_AGE);
   }
 }

@@ -13,12 +13,18 @@ import java.net.http.HttpResponse.BodyHandlers;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.List;
+import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicLong;
+import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+import org.toqa.agent.chassis.Surroundings;
 import org.toqa.geometry.Pose;
 import org.toqa.link.http.HttpRobotCodec;
 import org.toqa.link.http.RobotToken;
@@ -26,6 +32,7 @@ import org.toqa.link.http.WheelOrder;
 import org.toqa.link.http.WheelReport;
 import org.toqa.motion.DifferentialLimits;
 import org.toqa.motion.WheelCommand;
+import org.toqa.testbed.FaultyTcpProxy;
 
 /** The client robot, asked as docs/http-robot.md says. */
 @Timeout(60)
@@ -52,7 +59,11 @@ class SimulatedHttpRobotTest {
   }
 
   private HttpRequest.Builder request(String path) {
-    return HttpRequest.newBuilder(URI.create("http://127.0.0.1:" + robot.port() + path))
+    return request(robot.port(), path);
+  }
+
+  private static HttpRequest.Builder request(int port, String path) {
+    return HttpRequest.newBuilder(URI.create("http://127.0.0.1:" + port + path))
         .header("Authorization", "Bearer " + TOKEN.secret());
   }
 
@@ -61,9 +72,20 @@ class SimulatedHttpRobotTest {
   }
 
   private WheelReport order(long seq, double v, double w) throws Exception {
-    byte[] body = HttpRobotCodec.encode(WheelOrder.of(seq, WheelCommand.of(0, v, w, LIMITS)));
-    HttpResponse<byte[]> answer =
-        send(request("/v1/wheels").POST(BodyPublishers.ofByteArray(body)));
+    return order(seq, null, v, w);
+  }
+
+  private WheelReport order(long seq, @Nullable Long after, double v, double w) throws Exception {
+    return report(send(request("/v1/wheels").POST(body(seq, after, v, w))));
+  }
+
+  private static HttpRequest.BodyPublisher body(
+      long seq, @Nullable Long after, double v, double w) {
+    return BodyPublishers.ofByteArray(
+        HttpRobotCodec.encode(WheelOrder.of(seq, after, WheelCommand.of(0, v, w, LIMITS))));
+  }
+
+  private static WheelReport report(HttpResponse<byte[]> answer) throws Exception {
     assertEquals(200, answer.statusCode());
     return HttpRobotCodec.decodeReport(answer.body());
   }
@@ -108,6 +130,55 @@ class SimulatedHttpRobotTest {
 
     assertEquals(7, answer.seq());
     assertEquals(0, robot.truePose().x());
+  }
+
+  /** Its connection brings it as soon as it can, with the highest number of all. */
+  @ParameterizedTest
+  @ValueSource(ints = {1, 5, 60})
+  void orderThatWasHeldUpOnItsWayHasNoEffect(int seconds) throws Exception {
+    AtomicLong skipped = startWithClock();
+    try (FaultyTcpProxy cable = new FaultyTcpProxy(robot.port())) {
+      long after = order(1, 0, 0).stamp();
+      cable.silence();
+      CompletableFuture<HttpResponse<byte[]>> held =
+          http.sendAsync(
+              request(cable.port(), "/v1/wheels").POST(body(2, after, 0.4, 0)).build(),
+              BodyHandlers.ofByteArray());
+      skipped.addAndGet(Duration.ofSeconds(seconds).toNanos());
+      cable.mend();
+      WheelReport answer = report(held.get(20, TimeUnit.SECONDS));
+      skipped.addAndGet(Duration.ofSeconds(1).toNanos());
+
+      assertEquals(1, answer.seq());
+      assertEquals(0, robot.truePose().x());
+      assertEquals(2, order(2, answer.stamp() + 1000, 0.4, 0).seq());
+      skipped.addAndGet(Duration.ofSeconds(1).toNanos());
+      assertTrue(robot.truePose().x() > 0.04);
+    }
+  }
+
+  /** The robot has another clock than the one by which the order was sent. */
+  @Test
+  void orderOfAClockThatHasBegunAnewHasNoEffect() throws Exception {
+    long stamp = order(1, 0, 0).stamp();
+
+    assertEquals(1, order(2, stamp + 3_600_000, 0.4, 0).seq());
+
+    assertEquals(0, robot.truePose().x());
+  }
+
+  /**
+   * @return what its clock is ahead of the machine's, nanoseconds
+   */
+  private AtomicLong startWithClock() throws IOException {
+    robot.close();
+    AtomicLong skipped = new AtomicLong();
+    robot =
+        new SimulatedHttpRobot(
+            SimulatedHttpRobot.Settings.of(TOKEN, new Pose(0, 0, 0)),
+            Surroundings.EMPTY,
+            () -> System.nanoTime() + skipped.get());
+    return skipped;
   }
 
   /** Judged at the body: from 200 ms after the last order on it only brakes. */

@@ -25,6 +25,8 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
+import org.junit.jupiter.params.provider.ValueSource;
+import org.toqa.agent.chassis.Surroundings;
 import org.toqa.app.robot.SimulatedHttpRobot;
 import org.toqa.app.robot.SimulatedHttpRobot.Fault;
 import org.toqa.geometry.Pose;
@@ -49,6 +51,7 @@ import org.toqa.link.trust.LinkTls;
 import org.toqa.localisation.GridWalls;
 import org.toqa.localisation.Walls;
 import org.toqa.motion.Segment;
+import org.toqa.testbed.FaultyTcpProxy;
 import org.toqa.testbed.LinkRecorder;
 
 /** A robot that takes wheel commands over HTTP, as the fleet sees it through its link. */
@@ -347,6 +350,48 @@ class HttpRobotLinkTest {
     assertTrue(again.localised(), "its counts have gone on");
     assertEquals(stopped, robot.truePose().x(), 0.001); // it waits for a new drive
     assertEquals(robot.truePose().x(), again.pose().x(), 0.02);
+  }
+
+  /**
+   * Judged by where the body truly is, on its own clock. Orders that the network held back come
+   * when it is back, all at once.
+   */
+  @ParameterizedTest
+  @ValueSource(ints = {1, 5, 60})
+  void networkThatIsCutLetsTheRobotStandInTime(int seconds) throws Exception {
+    robot.close();
+    AtomicLong skipped = new AtomicLong();
+    robot =
+        new SimulatedHttpRobot(
+            settings(0, null), Surroundings.EMPTY, () -> System.nanoTime() + skipped.get());
+    try (FaultyTcpProxy cable = new FaultyTcpProxy(robot.port())) {
+      RobotLink opened = connect(cable.port(), TOKEN, null);
+      heard.await(Hello.class);
+      locateAndDrive(opened, List.of(new Segment(0.25, 0, 40)));
+      heard.await(State.class, state -> state.pose().x() > START.x() + 0.1);
+
+      cable.silence();
+      double atCut = robot.truePose().x();
+      heard.await(State.class, state -> state.mode() == Mode.ERROR);
+      boolean isLost = seconds > 1;
+      if (isLost) {
+        heard.await(LinkRecorder.End.class);
+      }
+      skipped.addAndGet(Duration.ofSeconds(seconds).toNanos());
+      double stopped = robot.truePose().x();
+      // an order is obeyed within 400 ms of the answer before it, for 200 ms; and it brakes
+      assertTrue(stopped - atCut < 0.25 * 0.6 + 0.1, "it went on for " + (stopped - atCut));
+      cable.mend();
+
+      if (isLost) {
+        Hello again = heard.await(Hello.class);
+        assertEquals(0, again.drive());
+        assertEquals(stopped, robot.truePose().x(), 0.001); // it waits for a new drive
+        assertEquals(stopped, again.pose().x(), 0.02);
+      } else {
+        heard.await(State.class, state -> state.pose().x() > stopped + 0.1); // it goes on
+      }
+    }
   }
 
   @Test

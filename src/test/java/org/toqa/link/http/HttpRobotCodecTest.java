@@ -65,6 +65,31 @@ class HttpRobotCodecTest {
   }
 
   @ParameterizedTest
+  @CsvSource({"1000,false", "600,false", "599,true", "1001,true"})
+  void orderIsStaleBeyondItsAge(long after, boolean isStale) {
+    WheelCommand stop = WheelCommand.of(0, 0, 0, DifferentialLimits.DEFAULT);
+
+    assertEquals(isStale, WheelOrder.of(1, after, stop).isStale(1000));
+    assertFalse(WheelOrder.of(1, stop).isStale(1000));
+  }
+
+  @Test
+  void ageThatIsNoneIsRefused() {
+    byte[] body =
+        new String(
+                HttpRobotCodec.encode(
+                    WheelOrder.of(1, 30L, WheelCommand.of(0, 0, 0, DifferentialLimits.DEFAULT))),
+                StandardCharsets.UTF_8)
+            .replace("\"after\":30", "\"after\":\"soon\"")
+            .getBytes(StandardCharsets.UTF_8);
+
+    HttpRobotException refused =
+        assertThrows(HttpRobotException.class, () -> HttpRobotCodec.decodeOrder(body));
+
+    assertTrue(String.valueOf(refused.getMessage()).startsWith("after must be a whole number"));
+  }
+
+  @ParameterizedTest
   @CsvSource(
       delimiter = '|',
       value = {

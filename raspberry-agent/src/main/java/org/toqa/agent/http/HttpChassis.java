@@ -240,7 +240,7 @@ public final class HttpChassis implements Chassis {
 
   private void send(Twist wanted, long nanos) {
     seq++;
-    underWay = robot.exchange(WheelOrder.of(seq, command(wanted, limits)));
+    underWay = robot.exchange(WheelOrder.of(seq, report.stamp(), command(wanted, limits)));
     sentNanos = nanos;
   }
 
