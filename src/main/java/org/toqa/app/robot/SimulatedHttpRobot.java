@@ -34,6 +34,7 @@ public final class SimulatedHttpRobot implements AutoCloseable {
   }
 
   private static final JsonMapper MAPPER = new JsonMapper();
+  private static final Duration SILENCE = Duration.ofMinutes(1);
   private static final int OK = 200;
   private static final int BAD_REQUEST = 400;
   private static final int UNAUTHORIZED = 401;
@@ -46,12 +47,15 @@ public final class SimulatedHttpRobot implements AutoCloseable {
   private final ExecutorService handlers;
   private volatile Duration delay;
   private volatile Fault fault = Fault.NONE;
+  private volatile boolean isFirst;
 
   /** Fault switches: what is wrong with the answers to orders, which are obeyed all the same. */
   public enum Fault {
     NONE,
     /** There is none. */
     SILENT,
+    /** There is one after each question what it is, and then none. */
+    SILENT_AFTER_FIRST,
     /** They are no JSON. */
     NONSENSE,
     /** They are longer than allowed. */
@@ -209,7 +213,10 @@ public final class SimulatedHttpRobot implements AutoCloseable {
       String method = exchange.getRequestMethod();
       String path = exchange.getRequestURI().getPath();
       switch (method + " " + path) {
-        case "GET /v1/robot" -> send(exchange, OK, HttpRobotCodec.encode(body.description()));
+        case "GET /v1/robot" -> {
+          isFirst = true;
+          send(exchange, OK, HttpRobotCodec.encode(body.description()));
+        }
         case "POST /v1/wheels" -> turnWheels(exchange, asked);
         default -> {
           if (path.equals("/v1/robot") || path.equals("/v1/wheels")) {
@@ -241,9 +248,17 @@ public final class SimulatedHttpRobot implements AutoCloseable {
   private void answer(HttpExchange exchange, WheelReport report)
       throws IOException, InterruptedException {
     byte[] usual = HttpRobotCodec.encode(report);
+    boolean first = isFirst;
+    isFirst = false;
     switch (fault) {
       case NONE -> send(exchange, OK, usual);
-      case SILENT -> Thread.sleep(Duration.ofMinutes(1));
+      case SILENT -> Thread.sleep(SILENCE);
+      case SILENT_AFTER_FIRST -> {
+        if (!first) {
+          Thread.sleep(SILENCE);
+        }
+        send(exchange, OK, usual);
+      }
       case NONSENSE -> send(exchange, OK, "<p>Hello</p>".getBytes(StandardCharsets.UTF_8));
       case TOO_LONG -> send(exchange, OK, new byte[HttpRobotCodec.MOST_BYTES + 1]);
       case WRONG_RANGES ->

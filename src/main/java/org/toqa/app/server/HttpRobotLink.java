@@ -57,7 +57,8 @@ final class HttpRobotLink implements RobotLink, ExchangeListener {
   private final Thread thread;
   private volatile boolean closed;
   private volatile @Nullable RobotLink link;
-  private @Nullable Sentence lastFailure;
+  /** Null since it was heard last. */
+  private volatile @Nullable Sentence lastFailure;
 
   // of the daemon that runs, by the link's thread
   private long answeredAt;
@@ -244,6 +245,7 @@ final class HttpRobotLink implements RobotLink, ExchangeListener {
     @Override
     public synchronized void connected(Hello hello) {
       if (!isEnded) {
+        lastFailure = null; // what follows is news, though it may be the same
         listener.connected(hello);
       }
     }

@@ -22,6 +22,7 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
@@ -358,6 +359,7 @@ class HttpRobotLinkTest {
    */
   @ParameterizedTest
   @ValueSource(ints = {1, 5, 60})
+  @Timeout(60)
   void networkThatIsCutLetsTheRobotStandInTime(int seconds) throws Exception {
     robot.close();
     AtomicLong skipped = new AtomicLong();
@@ -392,6 +394,20 @@ class HttpRobotLinkTest {
         heard.await(State.class, state -> state.pose().x() > stopped + 0.1); // it goes on
       }
     }
+  }
+
+  /** Else it would be lost, and nobody knew why. */
+  @Test
+  @Timeout(60)
+  void robotThatFallsSilentAgainIsToldAgain() throws Exception {
+    robot.setFault(Fault.SILENT_AFTER_FIRST);
+    connect();
+
+    heard.await(Hello.class);
+    String sentence = heard.await(LinkRecorder.End.class).sentence();
+    heard.await(Hello.class);
+
+    assertEquals(sentence, heard.await(LinkRecorder.End.class).sentence());
   }
 
   @Test
