@@ -57,6 +57,7 @@ final class HttpRobotLink implements RobotLink, ExchangeListener {
   private final Thread thread;
   private volatile boolean closed;
   private volatile @Nullable RobotLink link;
+
   /** Null since it was heard last. */
   private volatile @Nullable Sentence lastFailure;
 

@@ -35,6 +35,9 @@ public final class HttpRobotClient implements AutoCloseable {
   private static final Duration CONNECT_LIMIT = Duration.ofSeconds(3);
   private static final int LONGEST_ECHO = 80;
 
+  /** Of the robot's {@code seq}: what another program gives it in four years, each 30 ms. */
+  private static final long MOST_AHEAD = 1L << 32;
+
   private final HttpRobotAddress address;
   private final HttpClient http;
   private final URI description;
@@ -93,11 +96,12 @@ public final class HttpRobotClient implements AutoCloseable {
                 .header("Content-Type", "application/json")
                 .POST(BodyPublishers.ofByteArray(HttpRobotCodec.encode(order)))
                 .build());
-    return new Exchange(sent, begun);
+    return new Exchange(order.seq(), sent, begun);
   }
 
   /** An order on its way, and its answer. */
   public static final class Exchange {
+    private final long seq;
     private final CompletableFuture<HttpResponse<byte[]>> sent;
 
     /** The answer, once it is known when it came. */
@@ -107,7 +111,8 @@ public final class HttpRobotClient implements AutoCloseable {
     private volatile long ended;
     private volatile boolean isCancelled;
 
-    private Exchange(CompletableFuture<HttpResponse<byte[]>> sent, long begun) {
+    private Exchange(long seq, CompletableFuture<HttpResponse<byte[]>> sent, long begun) {
+      this.seq = seq;
       this.sent = sent;
       this.begun = begun;
       this.answered = sent.whenComplete((_, _) -> ended = System.nanoTime());
@@ -149,7 +154,7 @@ public final class HttpRobotClient implements AutoCloseable {
      */
     public WheelReport report() throws HttpRobotException {
       try {
-        return HttpRobotCodec.decodeReport(body(answered.join()));
+        return checked(HttpRobotCodec.decodeReport(body(answered.join())));
       } catch (CancellationException e) {
         throw new HttpRobotException(Reason.DOES_NOT_ANSWER, "it does not answer in time", e);
       } catch (CompletionException e) {
@@ -158,6 +163,14 @@ public final class HttpRobotClient implements AutoCloseable {
         }
         throw failure(e.getCause() == null ? e : e.getCause());
       }
+    }
+
+    private WheelReport checked(WheelReport report) throws HttpRobotException {
+      if (report.seq() - seq > MOST_AHEAD) {
+        throw new HttpRobotException(
+            Reason.NONSENSE, "seq is %d, where %d was sent last".formatted(report.seq(), seq));
+      }
+      return report;
     }
 
     /** Ends it, and its connection. */

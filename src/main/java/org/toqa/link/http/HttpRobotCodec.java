@@ -28,6 +28,9 @@ public final class HttpRobotCodec {
   /** 2^53: up to here every whole number is exact in any language's JSON. */
   private static final long LARGEST_NUMBER = 1L << 53;
 
+  /** Of a robot: as many numbers are left for the orders to come. */
+  private static final long LARGEST_SEQ = 1L << 52;
+
   /** Of range sensors; a robot that does not say where its own look has three. */
   private static final int MOST_RANGES = 16;
 
@@ -169,7 +172,7 @@ public final class HttpRobotCodec {
   public static WheelReport decodeReport(byte[] body) throws HttpRobotException {
     JsonNode json = read(body);
     return new WheelReport(
-        whole(json, "seq", 0, LARGEST_NUMBER),
+        whole(json, "seq", 0, LARGEST_SEQ),
         whole(json, "boot", 1, LARGEST_NUMBER),
         whole(json, "stamp", -LARGEST_NUMBER, LARGEST_NUMBER),
         whole(json, "left", -LARGEST_NUMBER, LARGEST_NUMBER),
@@ -242,7 +245,7 @@ public final class HttpRobotCodec {
         isSent(json, "rangeAngles") ? rangeAngles(json.path("rangeAngles")) : List.of(),
         isSent(json, "sonar") ? sonar(json.path("sonar")) : null,
         whole(json, "boot", 1, LARGEST_NUMBER),
-        whole(json, "seq", 0, LARGEST_NUMBER));
+        whole(json, "seq", 0, LARGEST_SEQ));
   }
 
   private static List<Double> rangeAngles(JsonNode list) throws HttpRobotException {

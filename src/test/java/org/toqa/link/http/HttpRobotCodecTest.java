@@ -141,6 +141,7 @@ class HttpRobotCodecTest {
     String right = goldenLines().getFirst().substring("description ".length());
     return Stream.of(
         right.replace("\"version\":1", "\"version\":2"),
+        right.replace("\"seq\":0", "\"seq\":4503599627370497"),
         right.replace("\"seq\":0", "\"seq\":0,\"rangeAngles\":[]"),
         right.replace("\"seq\":0", "\"seq\":0,\"rangeAngles\":[0.3,-0.3]"),
         right.replace("\"seq\":0", "\"seq\":0,\"rangeAngles\":[-4]"),
