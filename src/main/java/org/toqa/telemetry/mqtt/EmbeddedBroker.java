@@ -1,6 +1,7 @@
 package org.toqa.telemetry.mqtt;
 
 import io.moquette.BrokerConstants;
+import io.moquette.broker.ClientDescriptor;
 import io.moquette.broker.ISslContextCreator;
 import io.moquette.broker.Server;
 import io.moquette.broker.config.IConfig;
@@ -22,9 +23,11 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Properties;
+import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.Semaphore;
 import java.util.concurrent.TimeUnit;
+import java.util.stream.Collectors;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -65,6 +68,9 @@ public final class EmbeddedBroker implements AutoCloseable {
 
   private static final Duration CHECK_PERIOD = Duration.ofSeconds(4);
 
+  /** From its login until a client is connected, at most. */
+  private static final long CONNECT_NANOS = Duration.ofSeconds(30).toNanos();
+
   private final Server broker = new Server();
   private final Map<String, SiteUsers> sites = new ConcurrentHashMap<>();
   private final Map<String, Login> connected = new ConcurrentHashMap<>();
@@ -81,7 +87,10 @@ public final class EmbeddedBroker implements AutoCloseable {
     boolean isReader(String token);
   }
 
-  private record Login(String user, String password) {}
+  /**
+   * @param nanos when, on a monotonic clock
+   */
+  private record Login(String user, String password, long nanos) {}
 
   private EmbeddedBroker(BrokerSettings.Embedded settings) throws IOException {
     InetAddress host = settings.address();
@@ -108,7 +117,7 @@ public final class EmbeddedBroker implements AutoCloseable {
         settings.tls() == null
             ? BrokerAddress.plain(reached, port)
             : BrokerAddress.tls(reached, port, settings.tls().certificate(), true);
-    recheck = new PeriodicWork("mqtt-users", CHECK_PERIOD, this::endRevoked);
+    recheck = new PeriodicWork("mqtt-users", CHECK_PERIOD, () -> recheck(System.nanoTime()));
   }
 
   /**
@@ -213,7 +222,7 @@ public final class EmbeddedBroker implements AutoCloseable {
         || clientId.length() > LONGEST_CLIENT_ID) {
       return false;
     }
-    Login login = new Login(user, new String(password, StandardCharsets.UTF_8));
+    Login login = new Login(user, new String(password, StandardCharsets.UTF_8), System.nanoTime());
     if (!isClientIdFree(clientId, user)
         || connectionsOf(user) >= CONNECTIONS_PER_USER
         || !isValidAfterAll(login)) {
@@ -265,6 +274,26 @@ public final class EmbeddedBroker implements AutoCloseable {
           case MqttUser.Reader _ ->
               Secret.isWellFormed(login.password()) && users.isReader(login.password());
         };
+  }
+
+  /** From time to time. */
+  void recheck(long nanos) {
+    forgetDropped(nanos);
+    endRevoked();
+  }
+
+  /** The broker says nothing of who has left before it had a session for him. */
+  private void forgetDropped(long nanos) {
+    Set<String> present =
+        broker.listConnectedClients().stream()
+            .map(ClientDescriptor::getClientID)
+            .collect(Collectors.toSet());
+    connected.forEach(
+        (clientId, login) -> {
+          if (nanos - login.nanos() > CONNECT_NANOS && !present.contains(clientId)) {
+            connected.remove(clientId, login); // unless it has come back meanwhile
+          }
+        });
   }
 
   private void endRevoked() {

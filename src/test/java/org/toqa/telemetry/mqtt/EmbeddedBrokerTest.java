@@ -7,14 +7,25 @@ import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.io.ByteArrayOutputStream;
+import java.io.DataOutputStream;
 import java.io.IOException;
 import java.net.InetAddress;
+import java.net.InetSocketAddress;
+import java.net.Socket;
+import java.net.URI;
+import java.time.Duration;
+import java.util.ArrayList;
 import java.util.List;
+import java.util.concurrent.Semaphore;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicReference;
 import org.eclipse.paho.client.mqttv3.MqttException;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
 import org.toqa.accounts.Secret;
 import org.toqa.fleet.RobotState;
 import org.toqa.telemetry.Refusal;
@@ -24,6 +35,9 @@ import org.toqa.testbed.MqttTestClient;
 @Tag("full")
 class EmbeddedBrokerTest {
   private static final String RANGE = "{\"stamp\":1,\"metres\":[0.5,1.25]}";
+
+  /** So many a user may have. */
+  private static final int CONNECTIONS = 20;
 
   private EmbeddedBroker broker;
   private TestSite main;
@@ -219,6 +233,96 @@ class EmbeddedBrokerTest {
       main.isTokenValid = false;
       MqttTestClient.await(() -> !r1.isConnected() && !reader.isConnected(), "both are sent away");
       assertTrue(r2.isConnected());
+    }
+  }
+
+  /** Else its user would not be let in again before the next start. */
+  @Test
+  @Timeout(120)
+  void whoDropsItsConnectionDuringItsLoginIsForgotten() throws Exception {
+    HeldLogins users = new HeldLogins();
+    broker.add("south", users);
+    for (int i = 0; i < 3 * CONNECTIONS; i++) {
+      recheckLater();
+      users.hold("drop-" + i);
+      dropDuringLogin(users, "drop-" + i);
+    }
+
+    for (int i = 0; i < CONNECTIONS; i++) {
+      recheckLater();
+      users.clients.add(
+          MqttTestClient.to(broker.address().uri()).as("south/robot/r1", "any").connect());
+    }
+    recheckLater();
+    assertRefused("south/robot/r1", "any"); // who is connected still counts
+    users.close();
+  }
+
+  private void recheckLater() {
+    broker.recheck(System.nanoTime() + Duration.ofSeconds(31).toNanos());
+  }
+
+  private void dropDuringLogin(HeldLogins users, String password) throws Exception {
+    try (Socket socket = new Socket()) {
+      URI uri = URI.create(broker.address().uri());
+      socket.connect(new InetSocketAddress(uri.getHost(), uri.getPort()));
+      socket.setSoLinger(true, 0);
+      socket.getOutputStream().write(connectPacket(password, "south/robot/r1", password));
+      assertTrue(users.held.tryAcquire(20, TimeUnit.SECONDS), "it is not let in any more");
+    }
+    users.released.release();
+  }
+
+  /** CONNECT of MQTT 3.1.1, section 3.1, with a clean session. */
+  private static byte[] connectPacket(String clientId, String user, String password)
+      throws IOException {
+    ByteArrayOutputStream bytes = new ByteArrayOutputStream();
+    DataOutputStream rest = new DataOutputStream(bytes);
+    rest.writeUTF("MQTT");
+    rest.writeByte(4); // the protocol's level
+    rest.writeByte(0b1100_0010); // user, password, clean session
+    rest.writeShort(60);
+    rest.writeUTF(clientId);
+    rest.writeUTF(user);
+    rest.writeUTF(password);
+    ByteArrayOutputStream packet = new ByteArrayOutputStream();
+    packet.write(0x10);
+    packet.write(bytes.size());
+    bytes.writeTo(packet);
+    return packet.toByteArray();
+  }
+
+  /** Takes any password, one of them late. */
+  private static final class HeldLogins implements EmbeddedBroker.SiteUsers, AutoCloseable {
+    final List<MqttTestClient> clients = new ArrayList<>();
+    final Semaphore held = new Semaphore(0);
+    final Semaphore released = new Semaphore(0);
+    private final AtomicReference<String> late = new AtomicReference<>("");
+
+    void hold(String password) {
+      late.set(password);
+    }
+
+    @Override
+    public boolean isRobot(String name, String password) {
+      if (password.equals(late.get())) {
+        late.set("");
+        held.release();
+        released.acquireUninterruptibly();
+      }
+      return true;
+    }
+
+    @Override
+    public boolean isReader(String token) {
+      return false;
+    }
+
+    @Override
+    public void close() throws Exception {
+      for (MqttTestClient client : clients) {
+        client.close();
+      }
     }
   }
 
