@@ -60,6 +60,9 @@ public final class ReadingBoard {
   private static final class Slot {
     private @Nullable Reading newest;
     private byte @Nullable [] waiting;
+
+    /** When that was heard. */
+    private Instant heardAt = Instant.EPOCH;
   }
 
   private static final class RobotBoard {
@@ -93,6 +96,7 @@ public final class ReadingBoard {
         refuse(Refusal.TOO_OFTEN);
       }
       slot.waiting = body;
+      slot.heardAt = now;
       if (limit.tryAcquire()) {
         take(reading, slot);
       }
@@ -101,10 +105,10 @@ public final class ReadingBoard {
     private void take(String name, Slot slot) {
       byte[] body = Objects.requireNonNull(slot.waiting);
       slot.waiting = null;
-      switch (ReadingParser.parse(name, body, now)) {
+      switch (ReadingParser.parse(name, body, slot.heardAt)) {
         case ReadingParser.Result.Read(Reading reading) -> {
           slot.newest = reading;
-          if (!reading.angles().isEmpty()) {
+          if (!reading.angles().isEmpty() && slot.heardAt.equals(now)) {
             onRanges.accept(reading);
           }
         }
@@ -151,7 +155,7 @@ public final class ReadingBoard {
   /**
    * @param isRobot whether the site has a robot of that name now; whoever has none is only counted
    * @param onRanges is told of ranges with the angles in which they were measured, by the robot's
-   *     name; it does not wait
+   *     name, unless they had to wait: the robot is elsewhere by then; it does not wait
    */
   public ReadingBoard(Predicate<String> isRobot, BiConsumer<String, Reading> onRanges) {
     this.isRobot = isRobot;

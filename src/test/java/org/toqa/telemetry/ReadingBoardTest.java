@@ -138,7 +138,18 @@ class ReadingBoardTest {
     assertEquals(7, board.of("r2").readings().getFirst().stamp(), "another one's are not counted");
     board.update(NOW.plusSeconds(1));
     assertEquals(999, board.of("r1").readings().getFirst().stamp());
+    assertEquals(NOW, board.of("r1").readings().getFirst().receivedAt());
     assertEquals(Map.of(Refusal.TOO_OFTEN, 959L), refusals()); // 1000 - 40 - the newest
+  }
+
+  /** The robot is elsewhere by then. */
+  @Test
+  void rangesThatHadToWaitAreNotTold() {
+    for (int i = 0; i < 41; i++) {
+      receive("r1/range", "{\"stamp\":1,\"metres\":[%d],\"angles\":[0]}".formatted(i % 30), NOW);
+    }
+    board.update(NOW.plusMillis(700));
+    assertEquals(40, told.size());
   }
 
   @Test
