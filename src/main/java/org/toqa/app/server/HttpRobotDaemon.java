@@ -107,7 +107,10 @@ public final class HttpRobotDaemon implements AutoCloseable {
     }
   }
 
-  /** Tells the robot to stand, and ends the daemon. */
+  /**
+   * Tells the robot to stand, and ends the daemon; waits for less than half a second for answers. A
+   * robot that gives none stands by itself.
+   */
   @Override
   public void close() throws IOException {
     daemon.close();

@@ -93,6 +93,10 @@ public final class HttpChassis implements Chassis {
   private HttpRobotClient.@Nullable Exchange underWay;
 
   private long sentNanos;
+
+  /** What was sent last. */
+  private Twist ordered = Twist.ZERO;
+
   private long answeredNanos;
   private long lastNanos;
   private @Nullable HttpRobotException failure;
@@ -240,6 +244,7 @@ public final class HttpChassis implements Chassis {
 
   private void send(Twist wanted, long nanos) {
     seq++;
+    ordered = wanted;
     underWay = robot.exchange(WheelOrder.of(seq, report.stamp(), command(wanted, limits)));
     sentNanos = nanos;
   }
@@ -349,9 +354,18 @@ public final class HttpChassis implements Chassis {
                 : "The robot does not answer its orders: " + why.getMessage() + ".");
   }
 
+  /**
+   * Tells it to stand, also where that had to wait for an answer; a silent one stands by itself.
+   */
   @Override
   public void close() {
+    Duration limit = Duration.ofNanos(SILENT_NANOS);
+    if (underWay != null && !ordered.equals(Twist.ZERO) && underWay.await(limit)) {
+      awaitAnswer(lastNanos);
+      send(Twist.ZERO, lastNanos);
+    }
     if (underWay != null) {
+      underWay.await(limit);
       underWay.cancel();
     }
     odometry.close();

@@ -12,6 +12,7 @@ import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
 import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.concurrent.Semaphore;
 import java.util.concurrent.atomic.AtomicLong;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
@@ -42,6 +43,10 @@ class HttpChassisTest {
   @TempDir private Path folder;
   private final List<WheelOrder> orders = new CopyOnWriteArrayList<>();
   private final AtomicLong stamp = new AtomicLong(FIRST_STAMP);
+
+  /** So many it still gives. */
+  private final Semaphore answers = new Semaphore(Integer.MAX_VALUE / 2);
+
   private HttpServer robot;
   private HttpRobotClient client;
 
@@ -64,6 +69,7 @@ class HttpChassisTest {
   private void answer(HttpExchange exchange) throws IOException {
     WheelOrder order = HttpRobotCodec.decodeOrder(exchange.getRequestBody().readAllBytes());
     orders.add(order);
+    answers.acquireUninterruptibly();
     byte[] report =
         HttpRobotCodec.encode(
             new WheelReport(order.seq(), BOOT, stamp.getAndAdd(30), 0, 0, null, null, List.of()));
@@ -99,5 +105,24 @@ class HttpChassisTest {
         orders.stream().limit(4).map(WheelOrder::after).toList());
     assertEquals(0, orders.getFirst().left().speed());
     assertTrue(orders.get(1).left().speed() > 0);
+  }
+
+  /** Whose answer was due, so that nothing could be sent. */
+  @Test
+  void whoIsLeftWhileItDrivesIsToldToStand() throws Exception {
+    try (HttpChassis chassis = open()) {
+      answers.drainPermits();
+      while (orders.size() < 2) {
+        chassis.exchange(new Twist(0.1, 0, 0), 0);
+      }
+      chassis.exchange(Twist.ZERO, 0);
+      assertEquals(2, orders.size());
+      answers.release(Integer.MAX_VALUE / 2);
+    }
+
+    assertTrue(orders.get(1).left().speed() > 0);
+    assertEquals(3, orders.size());
+    assertEquals(0, orders.get(2).left().speed());
+    assertEquals(0, orders.get(2).right().speed());
   }
 }
