@@ -255,7 +255,9 @@ class EmbeddedBrokerTest {
     }
     recheckLater();
     assertRefused("south/robot/r1", "any"); // who is connected still counts
-    users.close();
+    for (MqttTestClient client : users.clients) {
+      client.close();
+    }
   }
 
   private void recheckLater() {
@@ -293,7 +295,7 @@ class EmbeddedBrokerTest {
   }
 
   /** Takes any password, one of them late. */
-  private static final class HeldLogins implements EmbeddedBroker.SiteUsers, AutoCloseable {
+  private static final class HeldLogins implements EmbeddedBroker.SiteUsers {
     final List<MqttTestClient> clients = new ArrayList<>();
     final Semaphore held = new Semaphore(0);
     final Semaphore released = new Semaphore(0);
@@ -316,13 +318,6 @@ class EmbeddedBrokerTest {
     @Override
     public boolean isReader(String token) {
       return false;
-    }
-
-    @Override
-    public void close() throws Exception {
-      for (MqttTestClient client : clients) {
-        client.close();
-      }
     }
   }
 
