@@ -14,7 +14,7 @@ import org.toqa.motion.WheelCommand;
  * and where it is come apart.
  */
 final class TwoWheelBody {
-  private static final double WHEEL_RADIUS = 0.0325;
+  static final double WHEEL_RADIUS = 0.0325;
   private static final int STEPS = 10;
   private static final double MOST_AMPLITUDE = 255;
 
@@ -92,7 +92,8 @@ final class TwoWheelBody {
     return wheel.isForward() ? speed : -speed;
   }
 
-  private int[] counts() {
+  /** Of its encoders, left and right. */
+  int[] counts() {
     double perRadian = Odometry.COUNTS_PER_WHEEL_TURN / (2 * Math.PI);
     return new int[] {
       (int) Math.floor(turned[0] * perRadian), (int) Math.floor(turned[1] * perRadian)
