@@ -5,6 +5,7 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.UUID;
 import java.util.concurrent.CompletionStage;
+import java.util.function.Function;
 import org.jspecify.annotations.Nullable;
 import org.toqa.fleet.FloorView.BoxView;
 import org.toqa.geometry.Pose;
@@ -75,6 +76,15 @@ public interface Fleet {
 
   /** What {@link #submitAll} would say against these orders; nothing is stored. */
   CompletionStage<List<BatchAnswer.Rejection>> rejections(List<TaskOrder> orders, String user);
+
+  /**
+   * Decides by what would be said against an order. Until that is done the map of its floor does
+   * not change, and the floor is not removed.
+   *
+   * @param decision what would be said, empty: nothing; it may wait, but for no floor
+   */
+  <T> CompletionStage<T> decide(
+      TaskOrder order, String user, Function<Optional<BatchAnswer.Rejection>, T> decision);
 
   /** What would become of this task; nothing is stored. */
   CompletionStage<Answer<TaskPreview>> preview(TaskOrder order, String user);

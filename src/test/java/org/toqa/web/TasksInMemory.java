@@ -252,6 +252,13 @@ public abstract class TasksInMemory extends ArchiveInMemory implements Fleet {
     }
   }
 
+  @Override
+  public <T> CompletionStage<T> decide(
+      TaskOrder order, String user, Function<Optional<BatchAnswer.Rejection>, T> decision) {
+    return rejections(List.of(order), user)
+        .thenApply(found -> decision.apply(found.stream().findFirst()));
+  }
+
   private List<BatchAnswer.Rejection> refusalsOf(List<TaskOrder> orders, String user) {
     List<BatchAnswer.Rejection> refusals = new ArrayList<>();
     for (int i = 0; i < orders.size(); i++) {

@@ -15,6 +15,7 @@ import java.util.concurrent.ExecutionException;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
 import java.util.function.Consumer;
+import java.util.function.Function;
 import java.util.function.Supplier;
 import org.apache.pekko.actor.typed.ActorSystem;
 import org.apache.pekko.actor.typed.javadsl.AskPattern;
@@ -305,6 +306,12 @@ public final class AgentFleet implements Fleet, AutoCloseable {
   public CompletionStage<List<BatchAnswer.Rejection>> rejections(
       List<TaskOrder> orders, String user) {
     return batches.rejections(orders, user);
+  }
+
+  @Override
+  public <T> CompletionStage<T> decide(
+      TaskOrder order, String user, Function<Optional<BatchAnswer.Rejection>, T> decision) {
+    return batches.decide(order, user, decision);
   }
 
   @Override

@@ -14,7 +14,6 @@ import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
-import org.toqa.fleet.Answer;
 import org.toqa.fleet.dispatch.FloorFleet;
 import org.toqa.fleet.dispatch.LatestSnapshot;
 import org.toqa.grid.FloorMap;
@@ -115,8 +114,7 @@ final class FloorEntry {
    * What its agents answered, or instead of them, where the floor was removed before they could be
    * asked, what is said of a floor that there is not.
    */
-  static <T> CompletionStage<Answer<T>> orIfRemoved(
-      CompletionStage<Answer<T>> asked, Supplier<Answer<T>> otherwise) {
+  static <T> CompletionStage<T> orIfRemoved(CompletionStage<T> asked, Supplier<T> otherwise) {
     return asked.exceptionallyCompose(
         failure ->
             isRemoval(failure)

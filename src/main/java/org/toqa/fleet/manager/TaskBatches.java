@@ -11,7 +11,9 @@ import java.util.Optional;
 import java.util.UUID;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionStage;
+import java.util.concurrent.Executor;
 import java.util.function.BiFunction;
+import java.util.function.Function;
 import java.util.stream.IntStream;
 import org.jspecify.annotations.Nullable;
 import org.toqa.fleet.BatchAnswer;
@@ -31,6 +33,8 @@ import org.toqa.mission.TransportTask;
  * one transaction or none, and each floor then takes its own.
  */
 final class TaskBatches {
+  private static final Executor DECISIONS = task -> Thread.ofVirtual().name("orders").start(task);
+
   private final FloorDirectory floors;
   private final TaskSubmitter submitter;
 
@@ -81,6 +85,30 @@ final class TaskBatches {
     }
     return all(parts.get(), (floor, part) -> floor.rejections(part.of(orders), user))
         .thenApply(found -> merged(parts.get(), found));
+  }
+
+  /** As {@link org.toqa.fleet.Fleet#decide}. */
+  <T> CompletionStage<T> decide(
+      TaskOrder order, String user, Function<Optional<Rejection>, T> decision) {
+    return floors
+        .resolve(order)
+        .map(
+            floor ->
+                FloorEntry.orIfRemoved(
+                    floor.ask(agents -> decide(agents, order, user, decision)),
+                    () -> decision.apply(unknownFloors(List.of(order)).stream().findFirst())))
+        .orElseGet(
+            () ->
+                CompletableFuture.supplyAsync(
+                    () -> decision.apply(unknownFloors(List.of(order)).stream().findFirst()),
+                    DECISIONS));
+  }
+
+  private static <T> CompletionStage<T> decide(
+      FloorFleet floor, TaskOrder order, String user, Function<Optional<Rejection>, T> decision) {
+    return floor
+        .rejections(List.of(order), user)
+        .thenApplyAsync(found -> decision.apply(found.stream().findFirst()), DECISIONS);
   }
 
   /** With the places of their orders among all. */

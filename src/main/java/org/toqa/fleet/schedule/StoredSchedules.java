@@ -15,7 +15,6 @@ import java.util.function.Function;
 import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
 import org.toqa.fleet.Answer;
-import org.toqa.fleet.BatchAnswer.Rejection;
 import org.toqa.fleet.EventKind;
 import org.toqa.fleet.EventRecord;
 import org.toqa.fleet.Fleet;
@@ -31,8 +30,8 @@ import org.toqa.wording.Phrase;
 
 /**
  * The schedules in a store. One server writes to a database, so changes that come at once are kept
- * apart by a lock here: what one reads is still so when it writes. The fleet is asked about an
- * order before the lock is taken.
+ * apart by a lock here: what one reads is still so when it writes. A new one is stored while its
+ * floor stays as it was when it was asked about the order: maps are checked against what is stored.
  */
 public final class StoredSchedules implements Schedules {
   private static final int MAX_SCHEDULES = 500;
@@ -86,13 +85,28 @@ public final class StoredSchedules implements Schedules {
       @Nullable TemplateUse template,
       Orderer by,
       UUID key) {
-    List<Rejection> rejections =
-        fleet.rejections(List.of(order), by.name()).toCompletableFuture().join();
-    if (!rejections.isEmpty()) {
-      Rejection rejection = rejections.getFirst();
-      return new KeyedAnswer.Answered<>(
-          new Answer.Rejected<>(rejection.field(), rejection.sentence()));
-    }
+    return fleet
+        .decide(
+            order,
+            by.name(),
+            rejection ->
+                rejection
+                    .<KeyedAnswer<Schedule>>map(
+                        why ->
+                            new KeyedAnswer.Answered<>(
+                                new Answer.Rejected<>(why.field(), why.sentence())))
+                    .orElseGet(() -> storeNew(order, recurrence, until, template, by, key)))
+        .toCompletableFuture()
+        .join();
+  }
+
+  private KeyedAnswer<Schedule> storeNew(
+      TaskOrder order,
+      Recurrence recurrence,
+      @Nullable Instant until,
+      @Nullable TemplateUse template,
+      Orderer by,
+      UUID key) {
     return whileLocked(
         () ->
             answerFromBefore(order, recurrence, until, key)

@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertInstanceOf;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.lang.reflect.Proxy;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.time.Instant;
@@ -11,8 +12,11 @@ import java.time.temporal.ChronoUnit;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.UUID;
+import java.util.concurrent.Callable;
+import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionStage;
 import java.util.concurrent.TimeUnit;
+import java.util.concurrent.TimeoutException;
 import java.util.function.Supplier;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.AfterEach;
@@ -21,12 +25,16 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.toqa.fleet.Answer;
 import org.toqa.fleet.FleetStage;
+import org.toqa.fleet.FloorEditing;
 import org.toqa.fleet.KeyedAnswer;
 import org.toqa.fleet.Orderer;
 import org.toqa.fleet.Recurrence;
 import org.toqa.fleet.Schedule;
+import org.toqa.fleet.ScheduleStore;
 import org.toqa.fleet.TaskOrder;
 import org.toqa.fleet.TaskOrder.Where;
+import org.toqa.grid.FloorDrawing;
+import org.toqa.grid.FloorMap;
 import org.toqa.grid.FloorReader;
 import org.toqa.store.JdbiScheduleStore;
 
@@ -119,6 +127,56 @@ class StoredSchedulesTest {
 
     assertTrue(paused instanceof Answer.Accepted<Schedule>(var it) && it.paused());
     assertEquals(new Answer.Accepted<>(store.schedule(id).orElseThrow()), resumed);
+  }
+
+  @Test
+  void noMapWithoutItsStationComesInForceBeforeItIsStored() throws Exception {
+    FloorEditing editing = stage.fleet.floorEditing();
+    FloorMap lab = stage.fleet.floors().getFirst();
+    FloorDrawing bare = FloorDrawing.of(lab.drawing().walls());
+    long seen = editing.draft(lab.name()).orElseThrow().revision();
+    long draft = accepted(editing.saveDraft(lab.name(), bare, seen, "Max")).revision();
+    List<CompletableFuture<Answer<FloorMap>>> published = new ArrayList<>();
+    ScheduleStore slow =
+        whenAdding(
+            () -> {
+              published.add(editing.publish(lab.name(), draft, "Max").toCompletableFuture());
+              try {
+                published.getFirst().copy().get(1, TimeUnit.SECONDS);
+              } catch (TimeoutException e) { // it waits for the schedule, as it should
+              }
+              return null;
+            });
+
+    KeyedAnswer<Schedule> added =
+        await(
+            new StoredSchedules(slow, stage.fleet, Instant::now)
+                .add(ORDER, hourly, null, "Clara", UUID.randomUUID()));
+
+    assertEquals(store.schedules(), List.of(scheduleOf(added)));
+    Answer<FloorMap> answer = await(published.getFirst());
+    assertTrue(
+        answer instanceof Answer.Conflict<FloorMap>(var why, var _)
+            && why.english().contains("The schedule box uses the station Mill."),
+        answer::toString);
+  }
+
+  /** The store, before which something is done each time that a schedule is added. */
+  private ScheduleStore whenAdding(Callable<?> before) {
+    return (ScheduleStore)
+        Proxy.newProxyInstance(
+            ScheduleStore.class.getClassLoader(),
+            new Class<?>[] {ScheduleStore.class},
+            (_, method, arguments) -> {
+              if (method.getName().equals("add")) {
+                before.call();
+              }
+              return method.invoke(store, arguments);
+            });
+  }
+
+  private static <T> T accepted(CompletionStage<Answer<T>> answer) throws Exception {
+    return ((Answer.Accepted<T>) await(answer)).value();
   }
 
   private CompletionStage<KeyedAnswer<Schedule>> add(TaskOrder order, UUID key) {
