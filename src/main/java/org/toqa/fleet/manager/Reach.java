@@ -5,6 +5,8 @@ import java.util.Arrays;
 import java.util.BitSet;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.IntConsumer;
+import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import org.toqa.fleet.floor.PlaceCheck;
 import org.toqa.grid.Cell;
@@ -54,22 +56,77 @@ record Reach(OccupancyGrid grid, BitSet connected, BitSet reached, BitSet left) 
         : new Reach(grid, connected, connected, connected);
   }
 
-  /** The connected part, whatever the directions of areas, that has the most places. */
+  /**
+   * The connected part, whatever the directions of areas, that has the most places; of several the
+   * largest one.
+   */
   private static BitSet connected(OccupancyGrid room, List<Place> places) {
-    BitSet unseen = new BitSet(room.width() * room.height());
-    unseen.set(0, room.width() * room.height());
-    unseen.andNot(room.occupied());
-    BitSet best = new BitSet();
-    int most = -1;
-    for (int start = unseen.nextSetBit(0); start >= 0; start = unseen.nextSetBit(start)) {
-      BitSet part = flood(room, unseen, start, Moves.ALL);
-      int found = placesIn(room, part, part, places).size();
-      if (found > most || (found == most && part.cardinality() > best.cardinality())) {
+    Parts parts = Parts.of(room);
+    int[] found = new int[parts.cells().length];
+    for (Place place : places) {
+      parts.around(room, place).forEach(part -> found[part]++);
+    }
+    int best = 0; // what is in no part
+    for (int part = 1; part < found.length; part++) {
+      boolean hasAsMany = best == 0 || found[part] == found[best];
+      if (hasAsMany ? parts.cells()[part] > parts.cells()[best] : found[part] > found[best]) {
         best = part;
-        most = found;
       }
     }
-    return best;
+    return parts.members(best);
+  }
+
+  /**
+   * The connected parts of a floor, found in one look at each cell: there may be as many as cells.
+   *
+   * @param labels by cell the number of its part, from 1; 0: none
+   * @param cells by part, how many; none of 0
+   */
+  private record Parts(int[] labels, int[] cells) {
+    static Parts of(OccupancyGrid room) {
+      int size = room.width() * room.height();
+      BitSet unseen = new BitSet(size);
+      unseen.set(0, size);
+      unseen.andNot(room.occupied());
+      int[] labels = new int[size];
+      int[] cells = new int[64];
+      int last = 0;
+      for (int start = unseen.nextSetBit(0); start >= 0; start = unseen.nextSetBit(start)) {
+        int part = ++last;
+        if (part == cells.length) {
+          cells = Arrays.copyOf(cells, 2 * part);
+        }
+        int[] counts = cells;
+        flood(
+            room,
+            unseen,
+            start,
+            Moves.ALL,
+            cell -> {
+              labels[cell] = part;
+              counts[part]++;
+            });
+      }
+      return new Parts(labels, Arrays.copyOf(cells, last + 1));
+    }
+
+    /** Those in which a place is, or beside which. */
+    IntStream around(OccupancyGrid room, Place place) {
+      return room.cellsAround(place.position(), 1).stream()
+          .mapToInt(cell -> labels[room.index(cell)])
+          .filter(part -> part > 0)
+          .distinct();
+    }
+
+    BitSet members(int part) {
+      BitSet members = new BitSet();
+      for (int cell = 0; part > 0 && cell < labels.length; cell++) {
+        if (labels[cell] == part) {
+          members.set(cell);
+        }
+      }
+      return members;
+    }
   }
 
   /** Of a connected part, from and to the cells that are driven to from each other. */
@@ -121,6 +178,12 @@ record Reach(OccupancyGrid grid, BitSet connected, BitSet reached, BitSet left) 
    */
   private static BitSet flood(OccupancyGrid room, BitSet unseen, int start, Moves moves) {
     BitSet part = new BitSet();
+    flood(room, unseen, start, moves, part::set);
+    return part;
+  }
+
+  private static void flood(
+      OccupancyGrid room, BitSet unseen, int start, Moves moves, IntConsumer found) {
     int[] open = new int[64];
     int count = 0;
     open[count++] = start;
@@ -128,7 +191,7 @@ record Reach(OccupancyGrid grid, BitSet connected, BitSet reached, BitSet left) 
     int width = room.width();
     while (count > 0) {
       int cell = open[--count];
-      part.set(cell);
+      found.accept(cell);
       int forbidden = moves.forbidden(room, cell);
       int column = cell % width;
       int[] next = {
@@ -145,7 +208,6 @@ record Reach(OccupancyGrid grid, BitSet connected, BitSet reached, BitSet left) 
         }
       }
     }
-    return part;
   }
 
   boolean isEmpty() {
