@@ -114,7 +114,14 @@ public sealed interface DispatchMessage {
   record TaskStored(TransportTask task, ActorRef<StatusReply<Answer<TaskView>>> replyTo)
       implements DispatchMessage {}
 
-  record AddRobot(RobotOrder order, String user, ActorRef<StatusReply<Answer<RobotView>>> replyTo)
+  /**
+   * @param notAdded called once it is known that the robot is not stored, by any thread
+   */
+  record AddRobot(
+      RobotOrder order,
+      String user,
+      Runnable notAdded,
+      ActorRef<StatusReply<Answer<RobotView>>> replyTo)
       implements DispatchMessage {}
 
   record RobotStored(RobotRecord robot, ActorRef<StatusReply<Answer<RobotView>>> replyTo)

@@ -224,8 +224,13 @@ public final class FloorFleet implements AutoCloseable {
         user, (check, replyTo) -> new DispatchMessage.FindPath(question, check, replyTo));
   }
 
-  public CompletionStage<Answer<RobotView>> addRobot(RobotOrder order, String user) {
-    return dispatch.ask(replyTo -> new DispatchMessage.AddRobot(order, user, replyTo));
+  /**
+   * @param notAdded called, by any thread, once it is known that the robot is not stored; that may
+   *     be later than the answer, which does not wait for ever
+   */
+  public CompletionStage<Answer<RobotView>> addRobot(
+      RobotOrder order, String user, Runnable notAdded) {
+    return dispatch.ask(replyTo -> new DispatchMessage.AddRobot(order, user, notAdded, replyTo));
   }
 
   public CompletionStage<Answer<RobotView>> pairRobot(

@@ -50,6 +50,7 @@ final class RobotCommandHandler {
     if (checked instanceof Answer.Accepted<RobotRecord>(RobotRecord robot)) {
       register(robot, m);
     } else {
+      m.notAdded().run();
       m.replyTo().tell(StatusReply.success(checked.asRejection()));
     }
   }
@@ -67,7 +68,10 @@ final class RobotCommandHandler {
             new RegistrationReply(
                 m.replyTo(),
                 stored -> self.tell(new DispatchMessage.RobotStored(stored, m.replyTo())),
-                () -> self.tell(new DispatchMessage.RobotNotStored(robot.name())))));
+                () -> {
+                  self.tell(new DispatchMessage.RobotNotStored(robot.name()));
+                  m.notAdded().run();
+                })));
   }
 
   void robotNotStored(String robot) {

@@ -14,6 +14,7 @@ import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
+import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.function.Consumer;
 import java.util.function.Function;
 import java.util.function.Supplier;
@@ -337,12 +338,20 @@ public final class AgentFleet implements Fleet, AutoCloseable {
       return CompletableFuture.completedFuture(
           new Answer.Rejected<>("name", Phrase.ROBOT_NAME_TAKEN.with(order.name())));
     }
+    AtomicBoolean isAsked = new AtomicBoolean();
+    CompletionStage<Answer<RobotView>> added =
+        floor
+            .get()
+            .ask(
+                agents -> {
+                  isAsked.set(true); // from now on its agents know whether it is stored
+                  return agents.addRobot(order, user, () -> robots.remove(order.name()));
+                });
     return FloorEntry.orIfRemoved(
-            floor.get().ask(agents -> agents.addRobot(order, user)),
-            () -> new Answer.Rejected<>("floor", floors.noSuchFloor(order.floor())))
+            added, () -> new Answer.Rejected<>("floor", floors.noSuchFloor(order.floor())))
         .whenComplete(
             (answer, failure) -> {
-              if (!(answer instanceof Answer.Accepted<RobotView>)) {
+              if (!isAsked.get()) {
                 robots.remove(order.name());
               }
             });
