@@ -5,7 +5,6 @@ import jakarta.servlet.AsyncEvent;
 import jakarta.servlet.AsyncListener;
 import jakarta.servlet.ServletContext;
 import java.util.Locale;
-import java.util.Map;
 import java.util.Objects;
 import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
@@ -21,15 +20,8 @@ public final class EventStreams implements AutoCloseable {
   /** The servlet context's attribute that holds them. */
   public static final String ATTRIBUTE = EventStreams.class.getName();
 
-  private final Map<Kind, SnapshotEventWriter> writers = new ConcurrentHashMap<>();
+  private final EventWriters writers = new EventWriters();
   private final Set<Thread> threads = ConcurrentHashMap.newKeySet();
-
-  /**
-   * Streams that say the same.
-   *
-   * @param floor the only one that is told of; null: all are
-   */
-  private record Kind(Site site, Locale locale, @Nullable String floor) {}
 
   public static EventStreams of(ServletContext context) {
     return (EventStreams)
@@ -67,9 +59,8 @@ public final class EventStreams implements AutoCloseable {
                     sites,
                     services,
                     caller,
-                    writers.computeIfAbsent(
-                        new Kind(services.site(), locale, floor),
-                        _ -> new SnapshotEventWriter(locale)),
+                    writers.writer(
+                        services.site(), locale, floor, (site, one) -> isThere(sites, site, one)),
                     changesOnly,
                     withNotices,
                     floor,
@@ -79,6 +70,13 @@ public final class EventStreams implements AutoCloseable {
     threads.add(thread);
     services.metrics().recordStreamStart();
     thread.start();
+  }
+
+  private static boolean isThere(Sites sites, Site site, @Nullable String floor) {
+    return sites
+        .find(site.id())
+        .filter(found -> floor == null || found.fleet().snapshots(floor).isPresent())
+        .isPresent();
   }
 
   @Override
