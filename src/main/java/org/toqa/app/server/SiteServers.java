@@ -228,10 +228,20 @@ public final class SiteServers implements Sites, AutoCloseable {
       store.complete(site, by);
     } catch (RuntimeException e) {
       server.close();
+      discardReserved(e);
       throw e;
     }
     begin(site, server);
     return new Answer.Accepted<>(SiteSummary.of(server.services()));
+  }
+
+  /** Its name can be taken again, as far as the store answers. */
+  private void discardReserved(RuntimeException failure) {
+    try {
+      store.discardReserved();
+    } catch (StoreException e) {
+      failure.addSuppressed(e);
+    }
   }
 
   @Override

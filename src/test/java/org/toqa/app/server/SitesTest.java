@@ -2,6 +2,7 @@ package org.toqa.app.server;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.net.URI;
@@ -15,6 +16,9 @@ import java.util.EnumMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.ExecutionException;
+import java.util.concurrent.TimeUnit;
 import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
@@ -97,6 +101,18 @@ class SitesTest {
             assertEquals("main", ann.get("floors").get(0).get("site").asString());
             assertEquals("north", nora.get("floors").get(0).get("site").asString());
           }
+        });
+  }
+
+  @Test
+  void nameOfASiteWhoseManagerCannotBeStoredIsFree() throws Exception {
+    run(
+        (sites, root) -> {
+          String tooLong = "N".repeat(1000);
+          CompletableFuture<?> failed =
+              sites.add("north", tooLong, WebTestServer.PASSWORD_HASH, "Max").toCompletableFuture();
+          assertThrows(ExecutionException.class, () -> failed.get(60, TimeUnit.SECONDS));
+          addSite(root, "north");
         });
   }
 
