@@ -38,6 +38,11 @@ public final class Metrics implements AutoCloseable {
   private final PrometheusMeterRegistry registry =
       new PrometheusMeterRegistry(PrometheusConfig.DEFAULT);
 
+  /** What tells of all sites and of strangers. */
+  private final PrometheusMeterRegistry ofServer =
+      new PrometheusMeterRegistry(PrometheusConfig.DEFAULT);
+
+  private final MeterRegistry requests;
   private final SnapshotFeed feed;
   private final MultiGauge robots;
   private final MultiGauge tasks;
@@ -46,8 +51,18 @@ public final class Metrics implements AutoCloseable {
   private final AtomicInteger streams = new AtomicInteger();
   private final Counter rateLimited;
 
+  /** Those of a site beside the first one. */
   public Metrics(SnapshotFeed feed) {
+    this(feed, false);
+  }
+
+  /**
+   * @param isFirst whether it is the site whose pages whoever is not signed in asks for, and that
+   *     is also told how the process does
+   */
+  public Metrics(SnapshotFeed feed, boolean isFirst) {
     this.feed = feed;
+    requests = isFirst ? ofServer : registry;
     robots =
         MultiGauge.builder("toqa.robots").description("Robots in each state").register(registry);
     tasks =
@@ -73,17 +88,19 @@ public final class Metrics implements AutoCloseable {
     rateLimited =
         Counter.builder("toqa.http.too.fast")
             .description("Requests that were refused because their caller asked too fast")
-            .register(registry);
+            .register(requests);
+    if (isFirst) {
+      bindProcess();
+    }
   }
 
-  /** From now on it is also told how the process does. */
-  public void bindProcess() {
-    new JvmMemoryMetrics().bindTo(registry);
-    new JvmThreadMetrics().bindTo(registry);
-    new ProcessorMetrics().bindTo(registry);
-    new UptimeMetrics().bindTo(registry);
-    new FileDescriptorMetrics().bindTo(registry);
-    gcMetrics.bindTo(registry);
+  private void bindProcess() {
+    new JvmMemoryMetrics().bindTo(ofServer);
+    new JvmThreadMetrics().bindTo(ofServer);
+    new ProcessorMetrics().bindTo(ofServer);
+    new UptimeMetrics().bindTo(ofServer);
+    new FileDescriptorMetrics().bindTo(ofServer);
+    gcMetrics.bindTo(ofServer);
   }
 
   private void gauge(String name, String description, ToDoubleFunction<FleetSnapshot> value) {
@@ -123,7 +140,7 @@ public final class Metrics implements AutoCloseable {
         .minimumExpectedValue(Duration.ofMillis(1))
         .maximumExpectedValue(Duration.ofSeconds(10))
         .tags("method", method, "door", route, "status", status / 100 + "xx")
-        .register(registry)
+        .register(requests)
         .record(time);
   }
 
@@ -139,8 +156,12 @@ public final class Metrics implements AutoCloseable {
     streams.decrementAndGet();
   }
 
-  /** All of it, in Prometheus' text format. */
-  public String scrape() {
+  /**
+   * What is measured, in Prometheus' text format.
+   *
+   * @param withServer also what tells of other sites and of strangers
+   */
+  public String scrape(boolean withServer) {
     FleetSnapshot fleet = feed.latest();
     robots.register(
         states(
@@ -156,7 +177,7 @@ public final class Metrics implements AutoCloseable {
                     : fleet.tasks().stream().filter(t -> t.state() == state).count()),
         true);
     batteries.register(fleet.robots().stream().flatMap(Metrics::battery).toList(), true);
-    return registry.scrape();
+    return withServer ? registry.scrape() + ofServer.scrape() : registry.scrape();
   }
 
   private static <S extends Enum<S>> List<MultiGauge.Row<?>> states(
@@ -179,6 +200,7 @@ public final class Metrics implements AutoCloseable {
   @Override
   public void close() {
     gcMetrics.close();
+    ofServer.close();
     registry.close();
   }
 }

@@ -1,15 +1,18 @@
 package org.toqa.web;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.net.http.HttpResponse;
+import java.time.Duration;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
+import org.toqa.accounts.Role;
 import org.toqa.fleet.RobotMessageKind;
 import org.toqa.fleet.RobotState;
 import org.toqa.geometry.Pose;
@@ -20,11 +23,14 @@ import org.toqa.testbed.Hall;
 class MetricsTest {
   private WebTestServer server;
   private TestClient clerk;
+  private TestClient administrator;
 
   @BeforeEach
   void start() throws Exception {
     server = WebTestServer.start();
     clerk = TestClient.signedIn(server.root(), WebTestServer.CLERK);
+    server.addUser("Ada", null, Role.ADMINISTRATOR);
+    administrator = TestClient.signedIn(server.root(), "Ada");
     server
         .fleet()
         .changeRobots(
@@ -37,6 +43,7 @@ class MetricsTest {
 
   @AfterEach
   void stop() throws Exception {
+    administrator.close();
     clerk.close();
     server.close();
   }
@@ -66,9 +73,23 @@ class MetricsTest {
     try (Metrics metrics = new Metrics(server.fleet().snapshots())) {
       metrics.bindPassedOver(kind -> kind == RobotMessageKind.STATE ? 7 : 0);
 
-      String text = metrics.scrape();
+      String text = metrics.scrape(false);
       assertTrue(text.contains("toqa_robot_messages_left_out_total{kind=\"state\"} 7.0"), text);
       assertTrue(text.contains("toqa_robot_messages_left_out_total{kind=\"obstacle\"} 0.0"), text);
+    }
+  }
+
+  @Test
+  void whatTellsOfOtherSitesAndStrangersIsForAdministrators() {
+    try (Metrics metrics = new Metrics(server.fleet().snapshots(), true)) {
+      metrics.recordRequest("POST", "/login", 200, Duration.ofMillis(3));
+
+      String ofSite = metrics.scrape(false);
+      assertTrue(ofSite.contains("toqa_robots{"), ofSite);
+      for (String secret : List.of("toqa_http_", "jvm_", "process_", "system_")) {
+        assertFalse(ofSite.contains(secret), ofSite);
+        assertTrue(metrics.scrape(true).contains(secret), secret);
+      }
     }
   }
 
@@ -98,10 +119,16 @@ class MetricsTest {
     assertTrue(metrics.keySet().stream().anyMatch(name -> name.startsWith("jvm_memory_used")));
     assertTrue(metrics.containsKey("process_uptime_seconds"));
     assertEquals(0, metrics.get("toqa_streams"));
+    assertFalse(metrics(clerk).keySet().stream().anyMatch(name -> name.startsWith("jvm_")));
+    assertEquals(0, metrics(clerk).get("toqa_streams"));
   }
 
   private Map<String, Double> metrics() {
-    HttpResponse<String> answer = clerk.get("api/v1/metrics");
+    return metrics(administrator);
+  }
+
+  private static Map<String, Double> metrics(TestClient reader) {
+    HttpResponse<String> answer = reader.get("api/v1/metrics");
     assertEquals(200, answer.statusCode());
     Map<String, Double> metrics = new TreeMap<>();
     for (String line : answer.body().lines().filter(l -> !l.startsWith("#")).toList()) {

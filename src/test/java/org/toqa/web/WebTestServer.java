@@ -365,9 +365,7 @@ public final class WebTestServer implements AutoCloseable {
   }
 
   private static Metrics metrics(SnapshotFeed snapshots) {
-    Metrics metrics = new Metrics(snapshots);
-    metrics.bindProcess();
-    return metrics;
+    return new Metrics(snapshots, true);
   }
 
   private void startTomcat(int port, Services services) throws LifecycleException {

@@ -233,11 +233,8 @@ public final class FleetServer implements AutoCloseable {
             new JdbiPasswordResetStore(database.sessions(), wallClock, site),
             mail,
             wallClock);
-    Metrics metrics = new Metrics(fleet.snapshots());
+    Metrics metrics = new Metrics(fleet.snapshots(), site.isFirst());
     parts.push(metrics);
-    if (site.isFirst()) { // what the process does would tell of the other sites
-      metrics.bindProcess();
-    }
     database.bindMetrics(metrics.registry());
     metrics.bindPassedOver(fleet::passedOver);
     Scheduler scheduler = new Scheduler(schedules, store, fleet, wallClock);

@@ -17,6 +17,7 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.slf4j.LoggerFactory;
+import org.toqa.accounts.Role;
 import org.toqa.testbed.LogLevel;
 import org.toqa.web.RequestLimit;
 import org.toqa.web.TestClient;
@@ -38,6 +39,7 @@ class RateLimitTest {
   private TestClient stranger;
   private TestClient clerk;
   private TestClient manager;
+  private TestClient administrator;
 
   @BeforeEach
   void start() throws Exception {
@@ -47,6 +49,8 @@ class RateLimitTest {
     stranger = new TestClient(server.root());
     clerk = TestClient.signedIn(server.root(), WebTestServer.CLERK);
     manager = TestClient.signedIn(server.root(), WebTestServer.MANAGER);
+    server.addUser("Ada", null, Role.ADMINISTRATOR);
+    administrator = TestClient.signedIn(server.root(), "Ada");
     clerk.get("api/v1/robots");
     manager.get("api/v1/robots");
     pass(Duration.ofSeconds(5));
@@ -58,6 +62,7 @@ class RateLimitTest {
     level.close();
     stranger.close();
     clerk.close();
+    administrator.close();
     manager.close();
     server.close();
   }
@@ -240,7 +245,7 @@ class RateLimitTest {
   private double counted() {
     String counter = "toqa_http_too_fast_total ";
     String line =
-        manager
+        administrator
             .get("api/v1/metrics")
             .body()
             .lines()
