@@ -10,6 +10,8 @@ public final class MetricsResource extends ApiHandler {
   public static void get(HttpServletRequest request, HttpServletResponse response)
       throws IOException {
     response.setContentType("text/plain;version=0.0.4;charset=UTF-8");
-    response.getWriter().write(services(request).metrics().scrape(Caller.of(request).isAdministrator()));
+    response
+        .getWriter()
+        .write(services(request).metrics().scrape(Caller.of(request).isAdministrator()));
   }
 }
