@@ -44,7 +44,11 @@ class SlowStoreTest extends HallFleetTest {
     until(view -> view.robots().stream().anyMatch(robot -> robot.name().equals("late")));
     assertInstanceOf(
         Answer.Accepted.class,
-        stage.fleet.takeOutOfService("late", "Max").toCompletableFuture().get(30, TimeUnit.SECONDS));
+        stage
+            .fleet
+            .takeOutOfService("late", "Max")
+            .toCompletableFuture()
+            .get(30, TimeUnit.SECONDS));
   }
 
   @Test

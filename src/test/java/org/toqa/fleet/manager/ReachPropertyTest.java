@@ -100,7 +100,9 @@ class ReachPropertyTest {
     String cells = "@.".repeat(SIDE / 2);
     OccupancyGrid grid =
         OccupancyGrid.parse(
-            IntStream.range(0, SIDE).mapToObj(i -> i % 2 == 0 ? walls : cells).toArray(String[]::new));
+            IntStream.range(0, SIDE)
+                .mapToObj(i -> i % 2 == 0 ? walls : cells)
+                .toArray(String[]::new));
     List<Place> places =
         IntStream.range(0, 400).mapToObj(i -> place("P" + i, 2 * i + 1.5, 0.5)).toList();
     ThreadMXBean memory = (ThreadMXBean) ManagementFactory.getThreadMXBean();
