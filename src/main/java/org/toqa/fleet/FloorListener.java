@@ -1,6 +1,8 @@
 package org.toqa.fleet;
 
+import java.util.List;
 import java.util.Optional;
+import org.toqa.grid.FloorDrawing;
 import org.toqa.wording.Sentence;
 
 /**
@@ -11,6 +13,11 @@ public interface FloorListener {
 
   /** What a person must do before that floor can be removed; empty: nothing. */
   Optional<Sentence> objectionToRemoval(String floor);
+
+  /** What follows for it when that drawing is the floor's map, or what speaks against that. */
+  default List<MapProblem> mapProblems(String floor, FloorDrawing drawing) {
+    return List.of();
+  }
 
   /**
    * That floor is there no more. When this returns nothing of it is kept, and one may come anew.

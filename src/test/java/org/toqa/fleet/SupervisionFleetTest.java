@@ -8,6 +8,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.time.InstantSource;
+import java.util.BitSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
@@ -286,5 +287,32 @@ class SupervisionFleetTest {
     assertEquals(Supervision.State.STOPPED, now().state());
     assertTrue(
         tasksOf(2).stream().noneMatch(task -> task.state() == TaskState.QUEUED), "none waits on");
+  }
+
+  @Test
+  void aMapThatCutsOffATargetIsNotPublished() throws Exception {
+    assertInstanceOf(Answer.Accepted.class, start("r2"));
+    FloorDrawing drawing = live.fleet.floors().getFirst().drawing();
+    assertEquals(List.of(), supervisor.mapProblems("rooms", drawing));
+
+    OccupancyGrid before = drawing.walls();
+    BitSet walls = before.occupied();
+    int row = before.cellAt(new Vec2(1, 1.75)).row();
+    for (int column = 0; column < before.width(); column++) {
+      walls.set(row * before.width() + column);
+    }
+    FloorDrawing cut = drawing.withWalls(before.withOccupied(walls));
+    List<MapProblem> problems = supervisor.mapProblems("rooms", cut);
+
+    assertEquals(
+        List.of("" + new Vec2(1, 4.25), "" + new Vec2(2.25, 3.25)),
+        problems.stream().map(problem -> "" + problem.where()).toList());
+    assertTrue(problems.stream().allMatch(MapProblem::isBlocking));
+    assertTrue(
+        problems.getFirst().text().english().startsWith("The supervision of rooms brings box 1 to"),
+        () -> problems.getFirst().text().english());
+
+    supervisor.stop("rooms", "Max").toCompletableFuture().get(10, TimeUnit.SECONDS);
+    assertEquals(List.of(), supervisor.mapProblems("rooms", cut));
   }
 }

@@ -11,7 +11,6 @@ import java.util.OptionalLong;
 import java.util.concurrent.CompletionStage;
 import java.util.function.BiConsumer;
 import java.util.function.Function;
-import java.util.function.ToLongFunction;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -89,6 +88,7 @@ import org.toqa.web.Metrics;
 import org.toqa.web.NoticeLetters;
 import org.toqa.web.PasswordLinks;
 import org.toqa.web.Services;
+import org.toqa.web.input.TemplatesOfFloors;
 import org.toqa.wording.Phrase;
 
 /**
@@ -357,25 +357,13 @@ public final class FleetServer implements AutoCloseable {
 
   /** What a person would miss is not removed with its floor. */
   private static void addObjectors(AgentFleet fleet, TaskTemplateStore templates, Cameras cameras) {
-    addObjector(
-        fleet,
-        Phrase.FLOOR_HAS_TEMPLATES,
-        floor -> templates.templates().stream().filter(t -> t.floor().equals(floor)).count());
-    addObjector(
-        fleet,
-        Phrase.FLOOR_HAS_CAMERAS,
-        floor -> cameras.all().stream().filter(camera -> floor.equals(camera.floor())).count());
-  }
-
-  /**
-   * @param counter of what a floor has
-   */
-  private static void addObjector(AgentFleet fleet, Phrase phrase, ToLongFunction<String> counter) {
+    fleet.addFloorListener(new TemplatesOfFloors(templates));
     FloorListener.Objector objector =
         floor ->
-            Optional.of(counter.applyAsLong(floor))
+            Optional.of(
+                    cameras.all().stream().filter(camera -> floor.equals(camera.floor())).count())
                 .filter(count -> count > 0)
-                .map(count -> phrase.with(floor, count));
+                .map(count -> Phrase.FLOOR_HAS_CAMERAS.with(floor, count));
     fleet.addFloorListener(objector);
   }
 

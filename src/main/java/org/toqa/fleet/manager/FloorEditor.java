@@ -309,14 +309,19 @@ final class FloorEditor implements FloorEditing, AutoCloseable {
             .map(open -> open.mission().task())
             .filter(task -> task.floor().equals(entry.name()))
             .toList();
-    return new MapCheck(
+    MapCheck check =
+        new MapCheck(
             entry.map().grid(),
             floors.stationsBeside(entry.name()),
             entry.snapshots().latest().robots(),
             tasks,
             leftLoads(entry),
-            schedules(entry.name()))
-        .problems(drawing);
+            schedules(entry.name()));
+    return Stream.concat(
+            check.problems(drawing).stream(),
+            listeners.stream()
+                .flatMap(listener -> listener.mapProblems(entry.name(), drawing).stream()))
+        .toList();
   }
 
   @Override

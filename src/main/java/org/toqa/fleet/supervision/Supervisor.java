@@ -37,6 +37,7 @@ import org.toqa.fleet.Fleet;
 import org.toqa.fleet.FleetSnapshot;
 import org.toqa.fleet.FloorListener;
 import org.toqa.fleet.FloorView.BoxView;
+import org.toqa.fleet.MapProblem;
 import org.toqa.fleet.RobotState;
 import org.toqa.fleet.RobotView;
 import org.toqa.fleet.SnapshotFeed;
@@ -47,6 +48,7 @@ import org.toqa.fleet.TaskView;
 import org.toqa.fleet.supervision.Supervision.State;
 import org.toqa.geometry.Pose;
 import org.toqa.geometry.Vec2;
+import org.toqa.grid.FloorDrawing;
 import org.toqa.grid.FloorMap;
 import org.toqa.grid.OccupancyGrid;
 import org.toqa.link.message.AgentMessage.CameraView;
@@ -314,6 +316,17 @@ public final class Supervisor implements FloorListener, AutoCloseable {
   }
 
   @Override
+  public List<MapProblem> mapProblems(String floor, FloorDrawing drawing) {
+    Optional<Supervision> running = latest(floor).filter(Supervision::isRunning);
+    Optional<FloorMap> map =
+        fleet.floors().stream().filter(each -> each.name().equals(floor)).findFirst();
+    return running.isEmpty() || map.isEmpty()
+        ? List.of()
+        : SupervisionCheck.mapProblems(
+            running.get(), map.get(), drawing, fleet.snapshots().latest());
+  }
+
+  @Override
   public void floorRemoved(String floor) {
     onThread(
             () -> {
@@ -513,7 +526,7 @@ public final class Supervisor implements FloorListener, AutoCloseable {
         .orElse(0);
   }
 
-  private static List<RobotView> workers(Supervision supervision, FleetSnapshot snapshot) {
+  static List<RobotView> workers(Supervision supervision, FleetSnapshot snapshot) {
     return supervision.workers().stream()
         .flatMap(name -> SupervisionRules.robot(snapshot, name).stream())
         .toList();
@@ -677,7 +690,7 @@ public final class Supervisor implements FloorListener, AutoCloseable {
     return orders;
   }
 
-  private static List<Vec2> robots(Supervision supervision, FleetSnapshot snapshot) {
+  static List<Vec2> robots(Supervision supervision, FleetSnapshot snapshot) {
     return Stream.concat(Stream.of(supervision.supervisor()), supervision.workers().stream())
         .flatMap(name -> SupervisionRules.robot(snapshot, name).stream())
         .flatMap(robot -> Stream.ofNullable(robot.telemetry().pose()))
