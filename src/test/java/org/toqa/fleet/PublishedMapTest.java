@@ -10,6 +10,7 @@ import java.time.Duration;
 import java.util.ArrayList;
 import java.util.BitSet;
 import java.util.List;
+import java.util.Optional;
 import java.util.concurrent.CompletionStage;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.TimeUnit;
@@ -111,6 +112,30 @@ class PublishedMapTest {
     assertTrue(
         refused(editing.publish("cellar", saved, "Max")).contains(taken),
         "it is not published either");
+  }
+
+  @Test
+  void whatSpeaksAgainstAMapForWhoeverListensKeepsItFromBeingPublished() throws Exception {
+    FloorEditing editing = live.fleet.floorEditing();
+    FloorDrawing next = withWall(live.fleet.floors().getFirst().drawing());
+    MapProblem problem = new MapProblem(true, Sentence.verbatim("It is in use."), null);
+    live.fleet.addFloorListener(
+        new FloorListener.Objector() {
+          @Override
+          public Optional<Sentence> objectionToRemoval(String floor) {
+            return Optional.empty();
+          }
+
+          @Override
+          public List<MapProblem> mapProblems(String floor, FloorDrawing drawing) {
+            return floor.equals("hall") && drawing.equals(next) ? List.of(problem) : List.of();
+          }
+        });
+
+    assertTrue(accepted(editing.check("hall", next, "Max")).contains(problem));
+    long revision = editing.draft("hall").orElseThrow().revision();
+    long saved = accepted(editing.saveDraft("hall", next, revision, "Max")).revision();
+    assertTrue(refused(editing.publish("hall", saved, "Max")).endsWith("It is in use."));
   }
 
   @Test
