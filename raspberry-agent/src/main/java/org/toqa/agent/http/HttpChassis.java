@@ -97,6 +97,10 @@ public final class HttpChassis implements Chassis {
   /** What was sent last. */
   private Twist ordered = Twist.ZERO;
 
+  /** What was sent with the order that is answered, from where the robot was then. */
+  private Twist driven = Twist.ZERO;
+
+  private long drivenSince;
   private long answeredNanos;
   private long lastNanos;
   private @Nullable HttpRobotException failure;
@@ -157,6 +161,7 @@ public final class HttpChassis implements Chassis {
     this.report = report;
     seq = report.seq();
     answeredNanos = nanos;
+    drivenSince = nanos;
     lastNanos = nanos;
     jumpedUntil = nanos;
     lostUntil = nanos;
@@ -190,12 +195,31 @@ public final class HttpChassis implements Chassis {
     correct(nanos);
     take(command);
     SegmentQueue path = queue;
-    Twist wanted = path == null ? velocity : path.steer(odometry.pose(), seconds);
+    Twist wanted = path == null ? velocity : path.steer(predicted(nanos), seconds);
     if (underWay == null) {
       send(wanted, nanos);
       awaitAnswer(nanos);
     }
     return reading(nanos);
+  }
+
+  /**
+   * Where the robot is as it gets the next order: its answer tells where it was as it got the one
+   * before (O. J. M. Smith, "Closer control of loops with dead time", 1957).
+   */
+  private Pose predicted(long nanos) {
+    Pose answered = odometry.pose();
+    if (underWay == null) {
+      return answered.advanced(driven, secondsBetween(drivenSince, nanos));
+    }
+    return answered
+        .advanced(driven, secondsBetween(drivenSince, sentNanos))
+        .advanced(ordered, secondsBetween(sentNanos, nanos));
+  }
+
+  /** At most as long as an order is obeyed. */
+  private static double secondsBetween(long from, long to) {
+    return Math.clamp(to - from, 0, COMMAND_LIFE_NANOS) / 1e9;
   }
 
   @Override
@@ -244,8 +268,9 @@ public final class HttpChassis implements Chassis {
 
   private void send(Twist wanted, long nanos) {
     seq++;
-    ordered = wanted;
-    underWay = robot.exchange(WheelOrder.of(seq, report.stamp(), command(wanted, limits)));
+    WheelCommand command = command(wanted, limits);
+    ordered = new Twist(command.v(), 0, command.w());
+    underWay = robot.exchange(WheelOrder.of(seq, report.stamp(), command));
     sentNanos = nanos;
   }
 
@@ -276,6 +301,8 @@ public final class HttpChassis implements Chassis {
     WheelReport answer = exchange.report();
     report = answer;
     answeredNanos = nanos;
+    driven = ordered;
+    drivenSince = sentNanos;
     failure = null;
     listener.answered(exchange.ended() - exchange.begun());
     if (answer.seq() > seq && answer.boot() == body.boot()) {
