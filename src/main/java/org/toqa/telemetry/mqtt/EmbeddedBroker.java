@@ -284,16 +284,20 @@ public final class EmbeddedBroker implements AutoCloseable {
 
   /** The broker says nothing of who has left before it had a session for him. */
   private void forgetDropped(long nanos) {
-    Set<String> present =
-        broker.listConnectedClients().stream()
-            .map(ClientDescriptor::getClientID)
-            .collect(Collectors.toSet());
+    Set<String> present = present();
     connected.forEach(
         (clientId, login) -> {
           if (nanos - login.nanos() > CONNECT_NANOS && !present.contains(clientId)) {
             connected.remove(clientId, login); // unless it has come back meanwhile
           }
         });
+  }
+
+  /** The client IDs of those that have a session and a connection. */
+  Set<String> present() {
+    return broker.listConnectedClients().stream()
+        .map(ClientDescriptor::getClientID)
+        .collect(Collectors.toSet());
   }
 
   private void endRevoked() {

@@ -247,17 +247,24 @@ class EmbeddedBrokerTest {
       users.hold("drop-" + i);
       dropDuringLogin(users, "drop-" + i);
     }
+    long before = presentCount();
 
     for (int i = 0; i < CONNECTIONS; i++) {
       recheckLater();
       users.clients.add(
           MqttTestClient.to(broker.address().uri()).as("south/robot/r1", "any").connect());
+      long inAll = before + users.clients.size();
+      MqttTestClient.await(() -> presentCount() == inAll, inAll + " are present");
     }
     recheckLater();
     assertRefused("south/robot/r1", "any"); // who is connected still counts
     for (MqttTestClient client : users.clients) {
       client.close();
     }
+  }
+
+  private long presentCount() {
+    return broker.present().stream().filter(client -> !client.startsWith("drop-")).count();
   }
 
   private void recheckLater() {
