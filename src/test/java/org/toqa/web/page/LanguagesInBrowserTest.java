@@ -5,7 +5,9 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import com.microsoft.playwright.Page;
 import com.microsoft.playwright.Page.GetByRoleOptions;
+import com.microsoft.playwright.Route;
 import com.microsoft.playwright.options.AriaRole;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.regex.Pattern;
@@ -43,6 +45,24 @@ class LanguagesInBrowserTest extends PagesInBrowser {
     Page other = page().context().newPage();
     other.navigate(server.root().toString());
     assertThat(other.locator("html")).hasAttribute("lang", "ar");
+  }
+
+  /** A password went into the field of the name, where everybody could read it. */
+  @Test
+  void whoTypesBeforeAFaultIsPointedOutGoesOnWhereHeIs() {
+    page().navigate(server.root().toString());
+    List<Route> pointingOut = new ArrayList<>();
+    page().route("**/first-fault.js", pointingOut::add);
+    page().locator("main button").click();
+    assertThat(page().locator("#name-help")).isVisible();
+    page().locator("#password").focus();
+    await(page(), () -> !pointingOut.isEmpty());
+    pointingOut.getFirst().resume();
+
+    page().waitForLoadState();
+
+    assertThat(page().locator("#password")).isFocused();
+    page().unroute("**/first-fault.js");
   }
 
   @Test
