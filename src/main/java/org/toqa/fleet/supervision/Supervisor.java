@@ -320,10 +320,10 @@ public final class Supervisor implements FloorListener, AutoCloseable {
     Optional<Supervision> running = latest(floor).filter(Supervision::isRunning);
     Optional<FloorMap> map =
         fleet.floors().stream().filter(each -> each.name().equals(floor)).findFirst();
-    return running.isEmpty() || map.isEmpty()
+    Optional<SnapshotFeed> feed = fleet.snapshots(floor);
+    return running.isEmpty() || map.isEmpty() || feed.isEmpty()
         ? List.of()
-        : SupervisionCheck.mapProblems(
-            running.get(), map.get(), drawing, fleet.snapshots().latest());
+        : SupervisionCheck.mapProblems(running.get(), map.get(), drawing, feed.get().latest());
   }
 
   @Override
