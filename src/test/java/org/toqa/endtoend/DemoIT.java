@@ -4,8 +4,10 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Set;
 import java.util.TreeSet;
@@ -26,23 +28,25 @@ class DemoIT {
 
   @TempDir private Path folder;
 
+  /** One that does its tasks and ends. */
+  private ToqaProcess demo(String... options) throws IOException {
+    List<String> all = new ArrayList<>(List.of("demo", "--once", "--port", "0"));
+    all.addAll(List.of(options));
+    return ToqaProcess.toqa(folder, all.toArray(String[]::new));
+  }
+
   @Test
   void theDemoTasksAreDoneAndReported() throws Exception {
     Path report = folder.resolve("report.json");
     Path bodies = folder.resolve("bodies.jsonl");
     try (ToqaProcess demo =
-        ToqaProcess.toqa(
-            folder,
-            "demo",
-            "--once",
+        demo(
             "--bodies",
             bodies.toString(),
             "--robots",
             "3",
             "--speed",
             "20",
-            "--port",
-            "0",
             "--report",
             report.toString())) {
       assertEquals(0, demo.exitCode(), () -> "it said: " + report);
@@ -68,9 +72,7 @@ class DemoIT {
 
   /** A supervisor and two workers. */
   private void assertTenBoxesAreBroughtToTheirTargets() throws Exception {
-    try (ToqaProcess demo =
-        ToqaProcess.toqa(
-            folder, "demo", "--scenario", "store", "--once", "--speed", "40", "--port", "0")) {
+    try (ToqaProcess demo = demo("--scenario", "store", "--speed", "40")) {
       assertEquals(0, demo.exitCode(), "it did not come to its end");
       assertNoFailure(demo);
       assertTrue(
@@ -92,18 +94,7 @@ class DemoIT {
   void robotsFindTheirOwnWayAmongPeople() throws Exception {
     Path bodies = folder.resolve("bodies.jsonl");
     try (ToqaProcess demo =
-        ToqaProcess.toqa(
-            folder,
-            "demo",
-            "--scenario",
-            "yard",
-            "--once",
-            "--speed",
-            "20",
-            "--port",
-            "0",
-            "--bodies",
-            bodies.toString())) {
+        demo("--scenario", "yard", "--speed", "20", "--bodies", bodies.toString())) {
       assertEquals(0, demo.exitCode(), "not all tasks are done");
       assertNoFailure(demo);
     }
@@ -133,19 +124,7 @@ class DemoIT {
   void theRealFirmwareDrivesOneOfTheRobots() throws Exception {
     Path report = folder.resolve("report.json");
     try (ToqaProcess demo =
-        ToqaProcess.toqa(
-            folder,
-            "demo",
-            "--once",
-            "--firmware",
-            "--robots",
-            "1",
-            "--speed",
-            "4",
-            "--port",
-            "0",
-            "--report",
-            report.toString())) {
+        demo("--firmware", "--robots", "1", "--speed", "4", "--report", report.toString())) {
       assertEquals(0, demo.exitCode());
       assertNoFailure(demo);
     }

@@ -159,11 +159,7 @@ class PublishedMapTest {
   void aFloorIsThereOrGoneAsIsStoredThoughTheCommitWasNotAnswered() throws Exception {
     FloorEditing editing = live.fleet.floorEditing();
     FloorDrawing cellar = FloorDrawing.of(live.fleet.floors().getFirst().drawing().walls());
-    live.floors.setAfterChange(
-        () -> {
-          live.floors.setAfterChange(() -> {});
-          throw new StoreException("The connection broke.", null);
-        });
+    loseNextAnswer();
     assertThrows(
         ExecutionException.class,
         () ->
@@ -174,16 +170,20 @@ class PublishedMapTest {
     awaitFloors(List.of("hall", "cellar"));
     assertTrue(editing.draft("cellar").isPresent());
 
-    live.floors.setAfterChange(
-        () -> {
-          live.floors.setAfterChange(() -> {});
-          throw new StoreException("The connection broke.", null);
-        });
+    loseNextAnswer();
     assertThrows(
         ExecutionException.class,
         () -> editing.removeFloor("cellar", "Max").toCompletableFuture().get(10, TimeUnit.SECONDS));
     awaitFloors(List.of("hall"));
     accepted(editing.addFloor("cellar", cellar, "Max"));
+  }
+
+  private void loseNextAnswer() {
+    live.floors.setAfterChange(
+        () -> {
+          live.floors.setAfterChange(() -> {});
+          throw new StoreException("The connection broke.", null);
+        });
   }
 
   private void awaitFloors(List<String> names) throws InterruptedException {

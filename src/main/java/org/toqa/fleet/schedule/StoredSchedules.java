@@ -59,74 +59,62 @@ public final class StoredSchedules implements Schedules {
       @Nullable TemplateUse template,
       Orderer by,
       UUID key) {
-    return inBackground(
-        () ->
-            answerFromBefore(order, recurrence, until, key)
-                .orElseGet(() -> addNew(order, recurrence, until, template, by, key)));
+    Asked asked = new Asked(order, recurrence, until, template, by, key);
+    return inBackground(() -> answerFromBefore(asked).orElseGet(() -> addNew(asked)));
   }
 
-  private Optional<KeyedAnswer<Schedule>> answerFromBefore(
-      TaskOrder order, Recurrence recurrence, @Nullable Instant until, UUID key) {
-    return store
-        .scheduleByKey(key)
-        .map(
-            before ->
-                order.equals(before.order())
-                        && recurrence.equals(before.recurrence())
-                        && Objects.equals(until, before.until())
-                    ? new KeyedAnswer.Repeated<>(before)
-                    : new KeyedAnswer.KeyReused<>());
-  }
-
-  private KeyedAnswer<Schedule> addNew(
+  private record Asked(
       TaskOrder order,
       Recurrence recurrence,
       @Nullable Instant until,
       @Nullable TemplateUse template,
       Orderer by,
-      UUID key) {
+      UUID key) {}
+
+  private Optional<KeyedAnswer<Schedule>> answerFromBefore(Asked asked) {
+    return store
+        .scheduleByKey(asked.key())
+        .map(
+            before ->
+                asked.order().equals(before.order())
+                        && asked.recurrence().equals(before.recurrence())
+                        && Objects.equals(asked.until(), before.until())
+                    ? new KeyedAnswer.Repeated<>(before)
+                    : new KeyedAnswer.KeyReused<>());
+  }
+
+  private KeyedAnswer<Schedule> addNew(Asked asked) {
     return fleet
         .decide(
-            order,
-            by.name(),
+            asked.order(),
+            asked.by().name(),
             rejection ->
                 rejection
                     .<KeyedAnswer<Schedule>>map(
                         why ->
                             new KeyedAnswer.Answered<>(
                                 new Answer.Rejected<>(why.field(), why.sentence())))
-                    .orElseGet(() -> storeNew(order, recurrence, until, template, by, key)))
+                    .orElseGet(() -> storeNew(asked)))
         .toCompletableFuture()
         .join();
   }
 
-  private KeyedAnswer<Schedule> storeNew(
-      TaskOrder order,
-      Recurrence recurrence,
-      @Nullable Instant until,
-      @Nullable TemplateUse template,
-      Orderer by,
-      UUID key) {
+  private KeyedAnswer<Schedule> storeNew(Asked asked) {
     return whileLocked(
-        () ->
-            answerFromBefore(order, recurrence, until, key)
-                .orElseGet(
-                    () ->
-                        new KeyedAnswer.Answered<>(
-                            store(
-                                Schedule.of(order, recurrence, until, by, clock.instant())
-                                    .from(template),
-                                key))));
+        () -> answerFromBefore(asked).orElseGet(() -> new KeyedAnswer.Answered<>(store(asked))));
   }
 
-  private Answer<Schedule> store(Schedule schedule, UUID key) {
+  private Answer<Schedule> store(Asked asked) {
+    Schedule schedule =
+        Schedule.of(asked.order(), asked.recurrence(), asked.until(), asked.by(), clock.instant())
+            .from(asked.template());
     if (schedule.due() == null) {
       return new Answer.Rejected<>("until", Phrase.SCHEDULE_NEVER_DUE.with());
     }
     if (store.schedules().size() >= MAX_SCHEDULES) {
       return new Answer.Rejected<>(null, Phrase.TOO_MANY_SCHEDULES.with(MAX_SCHEDULES));
     }
-    OptionalLong id = store.add(schedule, key);
+    OptionalLong id = store.add(schedule, asked.key());
     return id.isPresent()
         ? new Answer.Accepted<>(store.schedule(id.getAsLong()).orElseThrow())
         : new Answer.Rejected<>(null, Phrase.TEMPLATE_CHANGED.with());

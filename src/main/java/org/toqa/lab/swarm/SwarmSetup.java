@@ -104,23 +104,15 @@ record SwarmSetup(
 
   /** The same with robots that drive back to their places, clear of what is near them. */
   SwarmSetup keepingShape() {
-    return new SwarmSetup(
-        robotRadius,
-        lidarRange,
-        outward,
-        view,
-        apart,
-        targetRadius,
-        delay,
-        rangeNoise,
-        actuatorNoise,
-        isChanging,
-        new ShapeKeeping(0.2, 0.5, 2 * robotRadius),
-        hasMemory);
+    return led(new ShapeKeeping(0.2, 0.5, 2 * robotRadius), hasMemory);
   }
 
   /** The same with loops that are left by memory. */
   SwarmSetup remembering() {
+    return led(keeping, true);
+  }
+
+  private SwarmSetup led(ShapeKeeping shape, boolean byMemory) {
     return new SwarmSetup(
         robotRadius,
         lidarRange,
@@ -132,8 +124,8 @@ record SwarmSetup(
         rangeNoise,
         actuatorNoise,
         isChanging,
-        keeping,
-        true);
+        shape,
+        byMemory);
   }
 
   /** The robots' places from the leader: a square. */

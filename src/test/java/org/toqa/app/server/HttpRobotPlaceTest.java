@@ -31,6 +31,7 @@ import org.toqa.app.robot.SimulatedHttpRobot.Fault;
 import org.toqa.fleet.Answer;
 import org.toqa.fleet.ChargingRules;
 import org.toqa.fleet.FleetRules;
+import org.toqa.fleet.FleetSnapshot;
 import org.toqa.fleet.FloorsInMemory;
 import org.toqa.fleet.RobotRecord;
 import org.toqa.fleet.RobotState;
@@ -195,11 +196,12 @@ class HttpRobotPlaceTest {
 
   private void until(Predicate<RobotView> condition) throws InterruptedException {
     Instant end = Instant.now().plus(LIMIT);
-    while (fleet.snapshots().latest().robots().isEmpty() || !condition.test(view())) {
+    FleetSnapshot now = fleet.snapshots().latest();
+    while (now.robots().isEmpty() || !condition.test(now.robots().getFirst())) {
       if (Instant.now().isAfter(end)) {
-        fail("It is still so: " + fleet.snapshots().latest());
+        fail("It is still so: " + now);
       }
-      Thread.sleep(20);
+      now = fleet.snapshots().awaitNewer(now.version(), LIMIT);
     }
   }
 }
