@@ -138,7 +138,7 @@ final class FloorEditor implements FloorEditing, AutoCloseable {
             return new Answer.Conflict<>(taken.get(), null);
           }
           FloorMap map = new FloorMap(name, drawing, margins());
-          if (!isStored(map, user)) {
+          if (!addToStore(map, user)) {
             return new Answer.Rejected<>("name", Phrase.FLOOR_NAME_TAKEN.with(name));
           }
           try {
@@ -150,8 +150,8 @@ final class FloorEditor implements FloorEditing, AutoCloseable {
         });
   }
 
-  /** Whether it is stored by now; else its name is taken. */
-  private boolean isStored(FloorMap map, String user) {
+  /** False: its name is taken. */
+  private boolean addToStore(FloorMap map, String user) {
     String name = map.name();
     try {
       return store.addFloor(
@@ -189,7 +189,7 @@ final class FloorEditor implements FloorEditing, AutoCloseable {
               if (objection.get() != null) {
                 return false;
               }
-              removeStored(name, user);
+              removeFromStore(name, user);
               floors.remove(entry); // from now on nobody finds it
               return true;
             });
@@ -202,7 +202,7 @@ final class FloorEditor implements FloorEditing, AutoCloseable {
         : new Answer.Conflict<>(why, null);
   }
 
-  private void removeStored(String floor, String user) {
+  private void removeFromStore(String floor, String user) {
     try {
       store.removeFloor(
           floor,
