@@ -67,7 +67,9 @@ class SitesIT extends BrowserTest {
       assertThat(page.getByRole(AriaRole.STATUS)).containsText("The site was deleted");
       assertThat(page.locator("tbody tr")).hasCount(1);
     }
-    assertEquals(List.of(), complaints());
+    // what a page asks by itself while its session ends is refused
+    assertEquals(
+        List.of(), complaints().stream().filter(c -> !c.contains("a status of 401")).toList());
   }
 
   private static void logIn(Page page, URI root, String name, String password) {
