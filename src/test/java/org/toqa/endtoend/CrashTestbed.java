@@ -75,6 +75,8 @@ final class CrashTestbed implements AutoCloseable {
             "1",
             "--speed",
             String.valueOf(SPEED));
+    // else one drives where another stands that the server does not know yet
+    server.awaitAccepted("fleet/pause", Map.of());
     for (RunningAgent agent : agents) {
       FaultyTcpProxy link = new FaultyTcpProxy(agent.port());
       links.put(agent.name(), link);
@@ -85,6 +87,8 @@ final class CrashTestbed implements AutoCloseable {
               Map.of("name", agent.name(), "host", "127.0.0.1", "port", link.port(), "maxLoad", 5));
     }
     server.await("robots", robots -> robots.size() == 3);
+    awaitRobots();
+    server.awaitAccepted("fleet/resume", Map.of());
     Map<String, Path> bodies = new LinkedHashMap<>();
     bodies.put(SIMULATED, folder.resolve("data/robots/" + SIMULATED));
     agents.forEach(agent -> bodies.put(agent.name(), agent.data()));

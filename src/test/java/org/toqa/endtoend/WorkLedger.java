@@ -62,9 +62,15 @@ final class WorkLedger {
     schedules.put(task, answer);
   }
 
-  /** What was once accepted stays so. */
+  /**
+   * What was once accepted stays so; and a second one is refused also where the first, whose answer
+   * is not known, was taken.
+   */
   void addCancel(long task, Answer answer) {
-    cancels.merge(task, answer, (before, now) -> before == Answer.ACCEPTED ? before : now);
+    cancels.merge(
+        task,
+        answer,
+        (before, now) -> before == Answer.ACCEPTED || now == Answer.REFUSED ? before : now);
   }
 
   /** The tasks that may be cancelled: so it was asked, and not refused. */
