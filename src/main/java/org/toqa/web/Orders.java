@@ -3,8 +3,10 @@ package org.toqa.web;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.function.Function;
+import java.util.function.Predicate;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
@@ -53,6 +55,42 @@ public final class Orders {
   private List<OrderView> live(List<OrderView> stored) {
     var live = tasks.live();
     return stored.stream().map(order -> order.withTasks(live)).toList();
+  }
+
+  /**
+   * Tells what robots stop for to what the fleet has of an order, and waits for nothing: also while
+   * the order cannot be read, and however long its store takes. Who tells all of it afterwards
+   * tells these the same again.
+   *
+   * @param mayBeTold judges what the fleet has
+   */
+  public void tellAtOnce(
+      long id, Predicate<OrderView> mayBeTold, MissionEvent.OperatorCommand command) {
+    liveOrder(id)
+        .filter(mayBeTold)
+        .ifPresent(
+            order ->
+                order
+                    .open()
+                    .reversed()
+                    .forEach(task -> services.fleet().commandTask(task.id(), command)));
+  }
+
+  /** Only as far as the fleet has it: of what is queued there may be more. */
+  private Optional<OrderView> liveOrder(long id) {
+    List<TaskView> there =
+        services.fleet().snapshots().latest().tasks().stream()
+            .filter(task -> task.task().part() != null && task.task().part().order() == id)
+            .sorted(Comparator.comparingLong(TaskView::id))
+            .toList();
+    return there.stream()
+        .findFirst()
+        .map(
+            task -> {
+              OrderPart part = Objects.requireNonNull(task.task().part());
+              return new OrderView(
+                  id, part.name(), part.kind(), part.count(), task.task().createdAt(), there);
+            });
   }
 
   /**

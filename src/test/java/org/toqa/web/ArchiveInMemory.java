@@ -18,6 +18,7 @@ import org.toqa.fleet.TaskArchive;
 import org.toqa.fleet.TaskTraces;
 import org.toqa.fleet.TaskView;
 import org.toqa.mission.OrderPart;
+import org.toqa.persistence.StoreException;
 
 /** Tasks that were accepted, in memory: it finds them by state and text, and knows who follows. */
 public abstract class ArchiveInMemory extends SnapshotsInMemory
@@ -25,9 +26,11 @@ public abstract class ArchiveInMemory extends SnapshotsInMemory
   final Map<UUID, Long> keys = new HashMap<>();
   final List<EventRecord> events = new ArrayList<>();
   private final Set<List<Long>> traces = new HashSet<>();
+  private volatile boolean isUnreadable;
   long nextId = 1;
 
   void forgetTasks() {
+    isUnreadable = false;
     tasks.clear();
     keys.clear();
     events.clear();
@@ -120,8 +123,16 @@ public abstract class ArchiveInMemory extends SnapshotsInMemory
     return orderIds().size();
   }
 
+  /** Whether orders can be read. */
+  public void setOrdersReadable(boolean readable) {
+    isUnreadable = !readable;
+  }
+
   @Override
   public List<OrderView> orders(Collection<Long> ids) {
+    if (isUnreadable) {
+      throw new StoreException("The database does not answer.", null);
+    }
     lock.lock();
     try {
       return ids.stream()

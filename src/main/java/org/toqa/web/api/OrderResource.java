@@ -27,8 +27,12 @@ public final class OrderResource extends ApiHandler {
   /** A body is needed only where the place of loads on board must be said. */
   public static void cancel(HttpServletRequest request, HttpServletResponse response)
       throws IOException {
+    MissionEvent.Cancel cancel = readCancel(request);
+    if (cancel.choice() != null) { // else all of it is asked first whether something is on board
+      tellAtOnce(request, cancel);
+    }
     OrderView order = changeableOrder(request);
-    Answer<TaskView> refusal = new Orders(services(request)).cancel(order, readCancel(request));
+    Answer<TaskView> refusal = new Orders(services(request)).cancel(order, cancel);
     if (refusal != null) {
       acceptedValue(request, refusal);
     }
@@ -53,7 +57,18 @@ public final class OrderResource extends ApiHandler {
 
   public static void hold(HttpServletRequest request, HttpServletResponse response)
       throws IOException {
-    tell(request, response, user -> new MissionEvent.Hold(user.name()));
+    MissionEvent.Hold hold = new MissionEvent.Hold(Caller.of(request).name());
+    tellAtOnce(request, hold);
+    tell(request, response, user -> hold);
+  }
+
+  private static void tellAtOnce(HttpServletRequest request, MissionEvent.OperatorCommand command) {
+    Caller user = Caller.of(request);
+    new Orders(services(request))
+        .tellAtOnce(
+            RequestPath.number(request, "id"),
+            order -> OrderAccess.canChange(user, order),
+            command);
   }
 
   /** Legs that wait for the one before them go on waiting. */

@@ -38,14 +38,17 @@ public final class OrderPage extends PageHandler {
 
   public static void cancel(HttpServletRequest request, HttpServletResponse response)
       throws ServletException, IOException {
-    Optional<OrderView> order = changeableOrder(request, response);
-    if (order.isEmpty()) {
-      return;
-    }
     FieldErrors errors = new FieldErrors();
     MissionEvent.Cancel cancel =
         new TaskCommandReader(Texts.of(request), errors)
             .readCancel(Caller.of(request), new FormFields(request, errors).text("load"));
+    if (errors.isEmpty() && cancel.choice() != null) { // else it is asked first what is on board
+      tellAtOnce(request, cancel);
+    }
+    Optional<OrderView> order = changeableOrder(request, response);
+    if (order.isEmpty()) {
+      return;
+    }
     if (errors.isEmpty()) {
       Answer<TaskView> refusal = new Orders(services(request)).cancel(order.get(), cancel);
       if (refusal != null) {
@@ -57,7 +60,18 @@ public final class OrderPage extends PageHandler {
 
   public static void hold(HttpServletRequest request, HttpServletResponse response)
       throws ServletException, IOException {
-    tell(request, response, (reader, fields, user) -> new MissionEvent.Hold(user.name()));
+    MissionEvent.Hold hold = new MissionEvent.Hold(Caller.of(request).name());
+    tellAtOnce(request, hold);
+    tell(request, response, (reader, fields, user) -> hold);
+  }
+
+  private static void tellAtOnce(HttpServletRequest request, MissionEvent.OperatorCommand command) {
+    Caller user = Caller.of(request);
+    new Orders(services(request))
+        .tellAtOnce(
+            RequestPath.number(request, "id"),
+            order -> OrderAccess.canChange(user, order),
+            command);
   }
 
   /** Legs that wait for the one before them go on waiting. */

@@ -359,6 +359,32 @@ class ApiOrdersTest extends ApiTestServer {
   }
 
   @Test
+  void anOrderIsHeldAndCancelledAlsoWhileItCannotBeRead() {
+    String clerk = tokenOf(WebTestServer.CLERK);
+    String others = "api/v1/orders/" + id(post(token, "api/v1/orders", PIECES));
+    String own = "api/v1/orders/" + id(post(clerk, "api/v1/orders", PIECES));
+    server.fleet().changeTask(4, TaskState.TO_OBJECT, List.of("r1"), "r1 set out.");
+    server.fleet().setOrdersReadable(false);
+
+    assertEquals(503, post(clerk, own + "/hold", "").statusCode());
+    assertEquals(503, post(clerk, others + "/hold", "").statusCode());
+    for (long task = 4; task <= 6; task++) {
+      assertTrue(server.fleet().task(task).orElseThrow().held(), task + " goes on");
+    }
+    assertFalse(server.fleet().task(1).orElseThrow().held(), "it is not his");
+
+    assertEquals(503, post(clerk, own + "/cancel", "").statusCode());
+    assertEquals(TaskState.TO_OBJECT, server.fleet().task(4).orElseThrow().state());
+    assertEquals(TaskState.QUEUED, server.fleet().task(5).orElseThrow().state());
+
+    assertEquals(503, post(clerk, own + "/cancel", "{\"load\":\"here\"}").statusCode());
+    for (long task = 4; task <= 6; task++) {
+      assertEquals(TaskState.CANCELLED, server.fleet().task(task).orElseThrow().state());
+    }
+    assertEquals(TaskState.QUEUED, server.fleet().task(1).orElseThrow().state());
+  }
+
+  @Test
   void anOrderThatComesAgainWithItsKeyIsThereOnce() {
     JsonNode first = JSON.readTree(withKey(PIECES).body());
     JsonNode again = JSON.readTree(withKey(PIECES).body());
