@@ -446,7 +446,9 @@ public final class AgentFleet implements Fleet, AutoCloseable {
   @Override
   public CompletionStage<Answer<TaskView>> commandTask(
       long task, MissionEvent.OperatorCommand command) {
-    return router.askFloorOfTask(task, floor -> floor.commandTask(task, command));
+    return command instanceof MissionEvent.Hold
+        ? router.askFloorOfTaskAtOnce(task, floor -> floor.commandTask(task, command))
+        : router.askFloorOfTask(task, floor -> floor.commandTask(task, command));
   }
 
   @Override

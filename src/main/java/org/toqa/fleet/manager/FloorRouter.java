@@ -72,12 +72,22 @@ final class FloorRouter {
   /** Asks the floor that has the task, or where its load lies. */
   CompletionStage<Answer<TaskView>> askFloorOfTask(
       long task, Function<FloorFleet, CompletionStage<Answer<TaskView>>> question) {
-    return answered(
-        taskFloors.floorOf(task).flatMap(floors::find).map(entry -> entry.ask(question)),
-        () ->
-            new Answer.Conflict<>(
-                missingFloors.alertOfTask(task).orElseGet(() -> Phrase.TASK_HAS_ENDED.with(task)),
-                null));
+    return answered(withTask(task).map(entry -> entry.ask(question)), () -> endedTask(task));
+  }
+
+  /** The same of what must not wait for a change of the map. */
+  CompletionStage<Answer<TaskView>> askFloorOfTaskAtOnce(
+      long task, Function<FloorFleet, CompletionStage<Answer<TaskView>>> question) {
+    return answered(withTask(task).map(entry -> entry.askAtOnce(question)), () -> endedTask(task));
+  }
+
+  private Optional<FloorEntry> withTask(long task) {
+    return taskFloors.floorOf(task).flatMap(floors::find);
+  }
+
+  private Answer<TaskView> endedTask(long task) {
+    return new Answer.Conflict<>(
+        missingFloors.alertOfTask(task).orElseGet(() -> Phrase.TASK_HAS_ENDED.with(task)), null);
   }
 
   private Optional<FloorEntry> withRobot(String robot) {
