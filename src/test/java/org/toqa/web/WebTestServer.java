@@ -21,6 +21,7 @@ import org.apache.catalina.LifecycleState;
 import org.apache.catalina.connector.Connector;
 import org.apache.catalina.core.StandardContext;
 import org.apache.catalina.startup.Tomcat;
+import org.apache.catalina.valves.RemoteIpValve;
 import org.apache.tomcat.util.scan.StandardJarScanFilter;
 import org.apache.tomcat.util.scan.StandardJarScanner;
 import org.jdbi.v3.core.Jdbi;
@@ -69,6 +70,7 @@ import org.toqa.store.JdbiTaskTemplateStore;
 import org.toqa.store.JdbiTelemetryStore;
 import org.toqa.store.JdbiTrackStore;
 import org.toqa.store.JdbiUtilisationStore;
+import org.toqa.store.LastKnownUsers;
 import org.toqa.store.MemoryDatabase;
 import org.toqa.telemetry.Telemetry;
 import org.toqa.testbed.CheapPassword;
@@ -239,7 +241,8 @@ public final class WebTestServer implements AutoCloseable {
     this.database = database;
     Jdbi jdbi = database.jdbi();
     JdbiScheduleStore schedules = new JdbiScheduleStore(jdbi);
-    accounts = new JdbiAccountStore(jdbi, InstantSource.system());
+    LastKnownUsers lastKnown = new LastKnownUsers();
+    accounts = new JdbiAccountStore(jdbi, InstantSource.system(), lastKnown);
     fleet =
         new TestFleet(
             schedules, name -> accounts.accountByName(name).map(Account::id).orElse(null));
@@ -250,11 +253,12 @@ public final class WebTestServer implements AutoCloseable {
             InstantSource.system(),
             Duration.ofDays(7),
             SESSIONS_PER_USER,
-            SITE);
+            SITE,
+            lastKnown);
     PasswordLinks links =
         new PasswordLinks(
             accounts,
-            new JdbiPasswordResetStore(jdbi, InstantSource.system(), SITE),
+            new JdbiPasswordResetStore(jdbi, InstantSource.system(), SITE, lastKnown),
             mailbox,
             InstantSource.system());
     tracks = new JdbiTrackStore(jdbi);
@@ -386,6 +390,7 @@ public final class WebTestServer implements AutoCloseable {
         (classes, servletContext) ->
             servletContext.setAttribute(Sites.ATTRIBUTE, new OneSite(services)),
         null);
+    tomcat.getEngine().getPipeline().addValve(new RemoteIpValve()); // proxies on this machine
     tomcat.start();
   }
 

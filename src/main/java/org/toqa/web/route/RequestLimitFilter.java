@@ -8,6 +8,7 @@ import jakarta.servlet.http.HttpServletResponse;
 import java.io.IOException;
 import java.time.Duration;
 import java.util.Optional;
+import org.toqa.accounts.AddressBlock;
 import org.toqa.web.ErrorResponse;
 import org.toqa.web.RequestPath;
 import org.toqa.web.Services;
@@ -51,7 +52,8 @@ public final class RequestLimitFilter extends HttpFilter {
   static boolean tryAcquireByAddress(HttpServletRequest request, HttpServletResponse response)
       throws IOException {
     request.setAttribute(COUNTED, true);
-    return tryAcquire(request, response, name(request, "address " + request.getRemoteAddr()));
+    return tryAcquire(
+        request, response, name(request, "address " + AddressBlock.of(request.getRemoteAddr())));
   }
 
   /** What is urgent is counted by itself, so that nothing else that he asks for uses it up. */

@@ -126,6 +126,25 @@ class RateLimitTest {
   }
 
   @Test
+  void allAddressesOfOneSubscriberCountAsOne() {
+    for (int i = 0; i < AT_ONCE; i++) {
+      assertEquals(401, statusFrom("2001:db8:0:7::" + Integer.toHexString(i + 1)));
+    }
+
+    assertEquals(429, statusFrom("2001:db8:0:7:ffff::1"));
+    assertEquals(401, statusFrom("2001:db8:0:8::1"));
+  }
+
+  private int statusFrom(String address) {
+    try (TestClient inventor = new TestClient(server.root(), address)) {
+      return inventor
+          .send(
+              inventor.request("api/v1/robots").header("Authorization", "Bearer invented").build())
+          .statusCode();
+    }
+  }
+
+  @Test
   void theHealthOfTheServerCostsNoQuery() {
     long before = server.sessionQueries();
 
