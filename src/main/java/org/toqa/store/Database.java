@@ -256,7 +256,10 @@ public final class Database implements AutoCloseable {
     return fleet.jdbi();
   }
 
-  /** For pages and programs that look at what was; they may wait for each other. */
+  /**
+   * For pages and programs that look at what was, and for what people keep there that no robot
+   * waits for; they may wait for each other.
+   */
   public Jdbi readers() {
     return readers.jdbi();
   }

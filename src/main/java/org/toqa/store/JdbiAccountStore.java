@@ -10,6 +10,7 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.Objects;
 import java.util.Optional;
+import java.util.function.Function;
 import org.jdbi.v3.core.Handle;
 import org.jdbi.v3.core.Jdbi;
 import org.jdbi.v3.core.JdbiException;
@@ -34,14 +35,15 @@ public final class JdbiAccountStore implements AccountStore {
   private final SqlExecutor sql;
   private final InstantSource clock;
 
-  private final FallbackCache<Long, Account> lastKnown = new FallbackCache<>();
+  private final LastKnownUsers lastKnown;
 
   /** There was a manager, so there always is one. */
   private volatile boolean managerExists;
 
-  public JdbiAccountStore(Jdbi jdbi, InstantSource clock) {
+  public JdbiAccountStore(Jdbi jdbi, InstantSource clock, LastKnownUsers lastKnown) {
     this.sql = new SqlExecutor(jdbi);
     this.clock = clock;
+    this.lastKnown = lastKnown;
   }
 
   @Override
@@ -64,7 +66,7 @@ public final class JdbiAccountStore implements AccountStore {
 
   @Override
   public Optional<Account> account(long id) {
-    return lastKnown.get(id, () -> sql.withHandle(handle -> find(handle, id)));
+    return lastKnown.accounts.get(id, () -> sql.withHandle(handle -> find(handle, id)));
   }
 
   @Override
@@ -128,7 +130,8 @@ public final class JdbiAccountStore implements AccountStore {
 
   @Override
   public synchronized ChangeResult delete(long id, Handover handover, String by) {
-    return sql.inTransaction(
+    return change(
+        id,
         handle -> {
           handle
               .select("select id from users where id = ? for update", id)
@@ -161,7 +164,8 @@ public final class JdbiAccountStore implements AccountStore {
   @Override
   public synchronized ChangeResult update(
       long id, Role role, boolean disabled, @Nullable Account seen, String by) {
-    return sql.inTransaction(
+    return change(
+        id,
         handle -> {
           Optional<Account> found = find(handle, id);
           if (found.isEmpty()) {
@@ -221,7 +225,8 @@ public final class JdbiAccountStore implements AccountStore {
 
   @Override
   public boolean changePassword(long id, String passwordHash, String by) {
-    return sql.inTransaction(
+    return change(
+        id,
         handle -> {
           Optional<Account> account = find(handle, id);
           if (account.isEmpty()) {
@@ -240,7 +245,8 @@ public final class JdbiAccountStore implements AccountStore {
   @Override
   public ChangeResult changeEmail(
       long id, @Nullable String email, @Nullable Account seen, String by) {
-    return sql.inTransaction(
+    return change(
+        id,
         handle -> {
           Optional<Account> found = find(handle, id);
           if (found.isEmpty()) {
@@ -261,6 +267,12 @@ public final class JdbiAccountStore implements AccountStore {
           }
           return ChangeResult.DONE;
         });
+  }
+
+  private <T> T change(long id, Function<Handle, T> change) {
+    T result = sql.inTransaction(change::apply);
+    lastKnown.forget(id);
+    return result;
   }
 
   private static Optional<Account> find(Handle handle, long id) {

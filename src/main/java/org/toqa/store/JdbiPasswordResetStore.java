@@ -22,14 +22,17 @@ public final class JdbiPasswordResetStore implements PasswordResetStore {
   private final InstantSource clock;
 
   private final Site site;
+  private final LastKnownUsers lastKnown;
 
   /**
    * @param site which the secrets name
    */
-  public JdbiPasswordResetStore(Jdbi jdbi, InstantSource clock, Site site) {
+  public JdbiPasswordResetStore(
+      Jdbi jdbi, InstantSource clock, Site site, LastKnownUsers lastKnown) {
     this.sql = new SqlExecutor(jdbi);
     this.clock = clock;
     this.site = site;
+    this.lastKnown = lastKnown;
   }
 
   @Override
@@ -63,25 +66,29 @@ public final class JdbiPasswordResetStore implements PasswordResetStore {
 
   @Override
   public boolean replacePassword(String secret, String passwordHash) {
-    return sql.inTransaction(
-        handle -> {
-          Optional<Account> user = findAccount(handle, secret);
-          boolean isFirst =
-              handle.execute("delete from reset_links where secret_hash = ?", Secret.hash(secret))
-                  > 0;
-          if (user.isEmpty() || !isFirst) {
-            return false;
-          }
-          String name = user.get().name();
-          AccountTable.setPassword(handle, user.get().id(), passwordHash);
-          EventTable.addAccountEvent(
-              handle,
-              clock.instant(),
-              EventKind.USER_PASSWORD,
-              name,
-              Phrase.PASSWORD_REPLACED.with(name));
-          return true;
-        });
+    Optional<Account> user =
+        sql.inTransaction(handle -> replacePassword(handle, secret, passwordHash));
+    user.ifPresent(changed -> lastKnown.forget(changed.id()));
+    return user.isPresent();
+  }
+
+  /** Empty: the link is good no more. */
+  private Optional<Account> replacePassword(Handle handle, String secret, String passwordHash) {
+    Optional<Account> user = findAccount(handle, secret);
+    boolean isFirst =
+        handle.execute("delete from reset_links where secret_hash = ?", Secret.hash(secret)) > 0;
+    if (user.isEmpty() || !isFirst) {
+      return Optional.empty();
+    }
+    String name = user.get().name();
+    AccountTable.setPassword(handle, user.get().id(), passwordHash);
+    EventTable.addAccountEvent(
+        handle,
+        clock.instant(),
+        EventKind.USER_PASSWORD,
+        name,
+        Phrase.PASSWORD_REPLACED.with(name));
+    return user;
   }
 
   private Optional<Account> findAccount(Handle handle, String secret) {

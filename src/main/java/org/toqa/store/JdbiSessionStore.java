@@ -44,19 +44,26 @@ public final class JdbiSessionStore implements SessionStore {
   private final Duration limit;
   private final int perUser;
   private final Site site;
-  private final FallbackCache<String, AuthenticatedSession> lastKnown = new FallbackCache<>();
+  private final LastKnownUsers lastKnown;
 
   /**
    * @param limit how long after its begin a login ends for good, in whatever use it is
    * @param perUser how many logins of each kind, and tokens, one user has at most
    * @param site which the secrets name
    */
-  public JdbiSessionStore(Jdbi jdbi, InstantSource clock, Duration limit, int perUser, Site site) {
+  public JdbiSessionStore(
+      Jdbi jdbi,
+      InstantSource clock,
+      Duration limit,
+      int perUser,
+      Site site,
+      LastKnownUsers lastKnown) {
     this.sql = new SqlExecutor(jdbi);
     this.clock = clock;
     this.limit = limit;
     this.perUser = perUser;
     this.site = site;
+    this.lastKnown = lastKnown;
   }
 
   @Override
@@ -132,6 +139,7 @@ public final class JdbiSessionStore implements SessionStore {
   private Optional<AuthenticatedSession> find(Carrier carrier, String secret, boolean isUse) {
     String hash = Secret.hash(secret);
     return lastKnown
+        .sessions
         .get(hash, () -> sql.withHandle(handle -> find(handle, hash, isUse)))
         .filter(login -> login.session().kind().carrier() == carrier)
         .filter(login -> !hasEnded(login.session()));
@@ -166,28 +174,30 @@ public final class JdbiSessionStore implements SessionStore {
 
   @Override
   public boolean end(Account user, long id, String by) {
-    return sql.inTransaction(
-        handle -> {
-          boolean ended =
-              handle.execute("delete from sessions where id = ? and user_id = ?", id, user.id())
-                  > 0;
-          if (ended) {
-            EventTable.addAccountEvent(
-                handle,
-                clock.instant(),
-                EventKind.USER_SESSION,
-                by,
-                Phrase.SESSION_ENDED.with(by, user.name()));
-          }
-          return ended;
-        });
+    boolean ended = sql.inTransaction(handle -> end(handle, user, id, by));
+    lastKnown.forget(user.id());
+    return ended;
+  }
+
+  private boolean end(Handle handle, Account user, long id, String by) {
+    boolean ended =
+        handle.execute("delete from sessions where id = ? and user_id = ?", id, user.id()) > 0;
+    if (ended) {
+      EventTable.addAccountEvent(
+          handle,
+          clock.instant(),
+          EventKind.USER_SESSION,
+          by,
+          Phrase.SESSION_ENDED.with(by, user.name()));
+    }
+    return ended;
   }
 
   @Override
   public void end(String secret) {
-    sql.withHandle(
-        handle ->
-            handle.execute("delete from sessions where secret_hash = ?", Secret.hash(secret)));
+    String hash = Secret.hash(secret);
+    sql.withHandle(handle -> handle.execute("delete from sessions where secret_hash = ?", hash));
+    lastKnown.sessions.forget(hash);
   }
 
   private Optional<AuthenticatedSession> find(Handle handle, String hash, boolean isUse) {

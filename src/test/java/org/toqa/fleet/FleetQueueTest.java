@@ -14,6 +14,7 @@ import org.toqa.fleet.TaskOrder.Where;
 import org.toqa.mission.MissionEvent;
 import org.toqa.mission.TaskState;
 import org.toqa.store.JdbiAccountStore;
+import org.toqa.store.LastKnownUsers;
 
 /** Tasks that wait for robots: why, and in which order. */
 class FleetQueueTest extends HallFleetTest {
@@ -174,7 +175,8 @@ class FleetQueueTest extends HallFleetTest {
   void aTaskIsHandedOverToAnotherUserWhoKeepsItAlsoAfterARestart() throws Exception {
     until(view -> robot(view, "r1").state() == RobotState.IDLE);
     accepted(stage.fleet.takeOutOfService("r1", "Max"));
-    JdbiAccountStore accounts = new JdbiAccountStore(stage.database.jdbi(), InstantSource.system());
+    JdbiAccountStore accounts =
+        new JdbiAccountStore(stage.database.jdbi(), InstantSource.system(), new LastKnownUsers());
     long clara = accounts.add("Clara", "hash", Role.CLERK, "Max").orElseThrow().id();
     long omar = accounts.add("Omar", "hash", Role.CLERK, "Max").orElseThrow().id();
     TaskView given = accepted(stage.fleet.submit(order(1), "clara"));

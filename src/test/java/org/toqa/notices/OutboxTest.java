@@ -39,6 +39,7 @@ import org.toqa.notices.NoticeStore.Filter;
 import org.toqa.store.Database;
 import org.toqa.store.JdbiAccountStore;
 import org.toqa.store.JdbiNoticeStore;
+import org.toqa.store.LastKnownUsers;
 import org.toqa.store.MemoryDatabase;
 import org.toqa.web.MailSender;
 import org.toqa.web.NoticeLetters;
@@ -93,7 +94,7 @@ class OutboxTest {
           exchange.close();
         });
     receiver.start();
-    AccountStore accounts = new JdbiAccountStore(database.jdbi(), this::now);
+    AccountStore accounts = new JdbiAccountStore(database.jdbi(), this::now, new LastKnownUsers());
     clara =
         accounts.add("Clara", "clara@example.org", "none", Role.CLERK, "toqa").orElseThrow().id();
   }
@@ -337,7 +338,8 @@ class OutboxTest {
   void whoHasNoAddressAnyMoreIsGivenUp() throws Exception {
     wantLetters("en");
     accept(lost(), false);
-    new JdbiAccountStore(database.jdbi(), this::now).changeEmail(clara, null, null, "Max");
+    new JdbiAccountStore(database.jdbi(), this::now, new LastKnownUsers())
+        .changeEmail(clara, null, null, "Max");
     try (Outbox _ = outbox(loopback())) {
       awaitStates(State.GIVEN_UP);
     }

@@ -54,9 +54,10 @@ class AccountStoreTest {
     Flyway.configure().dataSource(url, "sa", "").locations("classpath:sql").load().migrate();
     jdbi = Jdbi.create(url, "sa", "");
     DatabaseTypes.register(jdbi);
-    accounts = new JdbiAccountStore(jdbi, () -> now);
-    sessions = new JdbiSessionStore(jdbi, () -> now, LIMIT, PER_USER, SITE);
-    resets = new JdbiPasswordResetStore(jdbi, () -> now, SITE);
+    LastKnownUsers lastKnown = new LastKnownUsers();
+    accounts = new JdbiAccountStore(jdbi, () -> now, lastKnown);
+    sessions = new JdbiSessionStore(jdbi, () -> now, LIMIT, PER_USER, SITE, lastKnown);
+    resets = new JdbiPasswordResetStore(jdbi, () -> now, SITE, lastKnown);
   }
 
   @Test
@@ -218,7 +219,8 @@ class AccountStoreTest {
         sessions.authenticate(Carrier.BEARER, token).orElseThrow().session().scopes());
     // a shorter limit holds for what began before it too
     SessionStore shorter =
-        new JdbiSessionStore(jdbi, () -> now, Duration.ofHours(1), PER_USER, SITE);
+        new JdbiSessionStore(
+            jdbi, () -> now, Duration.ofHours(1), PER_USER, SITE, new LastKnownUsers());
     String second = sessions.begin(ada, Kind.BROWSER, ORIGIN).secret();
     now = now.plus(Duration.ofHours(2));
     assertTrue(sessions.find(Carrier.COOKIE, second).isPresent());

@@ -17,7 +17,13 @@ import org.jdbi.v3.core.Jdbi;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
+import org.toqa.accounts.Account;
+import org.toqa.accounts.AccountStore;
+import org.toqa.accounts.Role;
 import org.toqa.accounts.Session;
+import org.toqa.accounts.SessionStore.NewSession;
 import org.toqa.accounts.Site;
 import org.toqa.fleet.FleetStore.Submission;
 import org.toqa.persistence.StoreException;
@@ -25,7 +31,11 @@ import org.toqa.persistence.StoreException;
 /** Who asks the database has connections of his own, and a time limit. */
 @Timeout(60)
 class DatabasePoolsTest extends FleetDatabaseTest {
+  private static final Site SITE = new Site(Site.FIRST_ID, "main");
+  private static final Session.Origin ORIGIN = new Session.Origin("10.0.0.7", "a browser");
+
   private final List<Handle> held = new ArrayList<>();
+  private final LastKnownUsers lastKnown = new LastKnownUsers();
 
   @Override
   Database open() {
@@ -91,6 +101,82 @@ class DatabasePoolsTest extends FleetDatabaseTest {
   }
 
   @Test
+  void whoIsLoggedInIsKnownWhileTheDatabaseIsAway() {
+    JdbiSessionStore sessions = sessions();
+    Account user = accounts().add("ada", "hash", Role.CLERK, "boss").orElseThrow();
+    NewSession login = sessions.begin(user, Session.Kind.BROWSER, ORIGIN);
+    assertEquals("ada", owner(sessions, login.secret()).orElseThrow());
+
+    database.close();
+
+    assertEquals("ada", owner(sessions, login.secret()).orElseThrow());
+    openDatabaseAgain();
+  }
+
+  /** Each of these ends what was known of him. */
+  private enum End {
+    LOGIN_ENDED {
+      @Override
+      void apply(DatabasePoolsTest test, Account user, NewSession login) {
+        assertTrue(test.sessions().end(user, login.session().id(), "boss"));
+      }
+    },
+    LOGGED_OUT {
+      @Override
+      void apply(DatabasePoolsTest test, Account user, NewSession login) {
+        test.sessions().end(login.secret());
+      }
+    },
+    DISABLED {
+      @Override
+      void apply(DatabasePoolsTest test, Account user, NewSession login) {
+        assertEquals(
+            AccountStore.ChangeResult.DONE,
+            test.accounts().update(user.id(), Role.CLERK, true, null, "boss"));
+      }
+    },
+    PASSWORD_CHANGED {
+      @Override
+      void apply(DatabasePoolsTest test, Account user, NewSession login) {
+        assertTrue(test.accounts().changePassword(user.id(), "another", "boss"));
+      }
+    },
+    PASSWORD_REPLACED {
+      @Override
+      void apply(DatabasePoolsTest test, Account user, NewSession login) {
+        JdbiPasswordResetStore resets =
+            new JdbiPasswordResetStore(
+                test.database.sessions(), InstantSource.system(), SITE, test.lastKnown);
+        String link = resets.issue(user, Duration.ofHours(1), "boss");
+        assertTrue(resets.replacePassword(link, "another"));
+      }
+    };
+
+    abstract void apply(DatabasePoolsTest test, Account user, NewSession login);
+  }
+
+  @ParameterizedTest
+  @EnumSource
+  void whoseLoginWasEndedIsUnknownWhileTheDatabaseIsAway(End end) {
+    JdbiSessionStore sessions = sessions();
+    Account user = accounts().add("ada", "hash", Role.CLERK, "boss").orElseThrow();
+    NewSession login = sessions.begin(user, Session.Kind.BROWSER, ORIGIN);
+    assertEquals("ada", owner(sessions, login.secret()).orElseThrow());
+
+    end.apply(this, user, login);
+    database.close();
+
+    assertThrows(StoreException.class, () -> owner(sessions, login.secret()));
+    openDatabaseAgain();
+  }
+
+  private static Optional<String> owner(JdbiSessionStore sessions, String secret) {
+    return sessions
+        .authenticate(Session.Carrier.COOKIE, secret)
+        .map(login -> login.account().name());
+  }
+
+  @Test
   void aMissingTableMayComeBack() {
     database.jdbi().useHandle(handle -> handle.execute("drop table drives"));
 
@@ -128,12 +214,12 @@ class DatabasePoolsTest extends FleetDatabaseTest {
     }
   }
 
+  private JdbiAccountStore accounts() {
+    return new JdbiAccountStore(database.sessions(), InstantSource.system(), lastKnown);
+  }
+
   private JdbiSessionStore sessions() {
     return new JdbiSessionStore(
-        database.sessions(),
-        InstantSource.system(),
-        Duration.ofDays(1),
-        50,
-        new Site(Site.FIRST_ID, "main"));
+        database.sessions(), InstantSource.system(), Duration.ofDays(1), 50, SITE, lastKnown);
   }
 }

@@ -194,7 +194,8 @@ class FleetStoreTest extends FleetDatabaseTest {
 
   @Test
   void ofWhoIsDisabledOrDeletedNothingIsStoredAndOfOthersWithHimNothing() {
-    JdbiAccountStore accounts = new JdbiAccountStore(database.jdbi(), () -> AT);
+    JdbiAccountStore accounts =
+        new JdbiAccountStore(database.jdbi(), () -> AT, new LastKnownUsers());
     long ann = accounts.add("Ann", "hash", Role.CLERK, "Max").orElseThrow().id();
     long bob = accounts.add("Bob", "hash", Role.CLERK, "Max").orElseThrow().id();
     assertEquals(ann, added(task("hers").withOwner("Ann", ann)).owner());

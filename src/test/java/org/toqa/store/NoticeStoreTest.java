@@ -50,7 +50,7 @@ class NoticeStoreTest extends DatabaseTest {
   @BeforeEach
   void openStore() {
     store = new JdbiNoticeStore(database.jdbi());
-    accounts = new JdbiAccountStore(database.jdbi(), () -> AT);
+    accounts = new JdbiAccountStore(database.jdbi(), () -> AT, new LastKnownUsers());
     clara =
         accounts.add("Clara", "clara@example.org", "none", Role.CLERK, "toqa").orElseThrow().id();
   }

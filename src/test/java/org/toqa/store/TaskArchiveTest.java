@@ -95,7 +95,8 @@ class TaskArchiveTest extends FleetDatabaseTest {
 
   @Test
   void tasksAreFollowedByEachUserOnHisOwnUntilTheyAreDeleted() {
-    JdbiAccountStore accounts = new JdbiAccountStore(database.jdbi(), () -> AT);
+    JdbiAccountStore accounts =
+        new JdbiAccountStore(database.jdbi(), () -> AT, new LastKnownUsers());
     long ann = accounts.add("ann", "hash", Role.CLERK, "Max").orElseThrow().id();
     long max = accounts.add("max", "hash", Role.MANAGER, "Max").orElseThrow().id();
     TaskTraces traces = new JdbiTaskTraces(database.jdbi(), () -> AT);

@@ -33,6 +33,7 @@ import org.toqa.mission.OrderPart;
 import org.toqa.persistence.StoreException;
 import org.toqa.store.JdbiAccountStore;
 import org.toqa.store.JdbiOrderArchive;
+import org.toqa.store.LastKnownUsers;
 
 /** A task that was accepted is never withdrawn, whatever became of its first submission. */
 @Timeout(120)
@@ -69,7 +70,7 @@ class AcceptedTaskTest {
         new IdempotentSubmitter(
             stage.fleet, stage.store, new JdbiOrderArchive(stage.database.jdbi()));
     clara =
-        new JdbiAccountStore(stage.database.jdbi(), InstantSource.system())
+        new JdbiAccountStore(stage.database.jdbi(), InstantSource.system(), new LastKnownUsers())
             .add("clara", "hash", Role.CLERK, "boss")
             .orElseThrow();
     key = IdempotentSubmitter.idempotencyKey(clara, "a");

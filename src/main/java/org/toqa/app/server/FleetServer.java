@@ -81,6 +81,7 @@ import org.toqa.store.JdbiTaskTraces;
 import org.toqa.store.JdbiTelemetryStore;
 import org.toqa.store.JdbiTrackStore;
 import org.toqa.store.JdbiUtilisationStore;
+import org.toqa.store.LastKnownUsers;
 import org.toqa.telemetry.Telemetry;
 import org.toqa.web.IdempotentSubmitter;
 import org.toqa.web.MailSender;
@@ -169,7 +170,8 @@ public final class FleetServer implements AutoCloseable {
     JdbiServerRuns runs = new JdbiServerRuns(database.jdbi());
     runs.begin(wallClock.instant());
     parts.push(() -> runs.end(wallClock.instant()));
-    AccountStore accounts = new JdbiAccountStore(database.sessions(), wallClock);
+    LastKnownUsers lastKnown = new LastKnownUsers();
+    AccountStore accounts = new JdbiAccountStore(database.sessions(), wallClock, lastKnown);
     addFirstManager(configuration, accounts, shared.passwords());
 
     JdbiFloorStore floorStore = new JdbiFloorStore(database.jdbi(), configuration.margins());
@@ -224,13 +226,14 @@ public final class FleetServer implements AutoCloseable {
             wallClock,
             configuration.sessionLimit(),
             configuration.limits().sessionsPerUser(),
-            site);
+            site,
+            lastKnown);
     MailSender mail =
         configuration.mailServer() == null ? null : new SmtpMail(configuration.mailServer());
     PasswordLinks passwordLinks =
         new PasswordLinks(
             accounts,
-            new JdbiPasswordResetStore(database.sessions(), wallClock, site),
+            new JdbiPasswordResetStore(database.sessions(), wallClock, site, lastKnown),
             mail,
             wallClock);
     Metrics metrics = new Metrics(fleet.snapshots(), site.isFirst());
@@ -289,19 +292,19 @@ public final class FleetServer implements AutoCloseable {
                 parts);
     Laboratory laboratory =
         new Laboratory(
-            new JdbiLabRunStore(database.jdbi()),
+            new JdbiLabRunStore(database.readers()),
             new ExperimentProcess(),
             shared.laboratory(),
             wallClock);
     parts.push(laboratory);
     Network network =
         new Network(
-            new JdbiDeviceStore(database.jdbi(), wallClock), configuration.dhcp(), wallClock);
+            new JdbiDeviceStore(database.readers(), wallClock), configuration.dhcp(), wallClock);
     parts.push(network);
     network.start();
-    Cameras cameras = new Cameras(new JdbiCameraStore(database.jdbi(), wallClock));
+    Cameras cameras = new Cameras(new JdbiCameraStore(database.readers(), wallClock));
     parts.push(cameras);
-    TaskTemplateStore templates = new JdbiTaskTemplateStore(database.jdbi(), wallClock);
+    TaskTemplateStore templates = new JdbiTaskTemplateStore(database.readers(), wallClock);
     addObjectors(fleet, templates, cameras);
     Notices notices = startNotices(site, configuration, database, fleet, mail, wallClock, parts);
     Services services =
@@ -310,7 +313,7 @@ public final class FleetServer implements AutoCloseable {
             fleet,
             new JdbiFleetStore(database.readers()),
             new JdbiOrderArchive(database.readers()),
-            new JdbiTaskTraces(database.jdbi(), wallClock),
+            new JdbiTaskTraces(database.readers(), wallClock),
             new JdbiEventArchive(database.readers()),
             new JdbiTrackStore(database.readers()),
             new JdbiSceneStore(database.readers()),
@@ -378,7 +381,13 @@ public final class FleetServer implements AutoCloseable {
     NoticeStore store = new JdbiNoticeStore(database.jdbi());
     WebhookPoster webhooks = new WebhookPoster(site.name(), configuration.webhooks(), clock);
     parts.push(webhooks);
-    Notices notices = new Notices(store, mail != null, configuration.webhooks(), webhooks, clock);
+    Notices notices =
+        new Notices(
+            new JdbiNoticeStore(database.readers()),
+            mail != null,
+            configuration.webhooks(),
+            webhooks,
+            clock);
     Outbox outbox =
         new Outbox(store, mail == null ? null : new NoticeLetters(mail), webhooks, clock);
     parts.push(outbox);

@@ -42,6 +42,7 @@ import org.toqa.persistence.StoreException;
 import org.toqa.store.JdbiAccountStore;
 import org.toqa.store.JdbiEventArchive;
 import org.toqa.store.JdbiScheduleStore;
+import org.toqa.store.LastKnownUsers;
 
 /** Schedules by a clock that is set, over a real fleet and a real store. */
 @Timeout(120)
@@ -64,7 +65,7 @@ class SchedulerTest {
   private void start(UnaryOperator<FleetStore> tamper) throws Exception {
     stage = stage(tamper);
     schedules = new JdbiScheduleStore(stage.database.jdbi());
-    accounts = new JdbiAccountStore(stage.database.jdbi(), () -> now);
+    accounts = new JdbiAccountStore(stage.database.jdbi(), () -> now, new LastKnownUsers());
     clara = accounts.add("Clara", "hash", Role.CLERK, "Max").orElseThrow();
     scheduler = scheduler(schedules);
   }
