@@ -121,6 +121,11 @@ unpack() {
   fi
 } >&2
 
+# What was being made here when it was ended, or failed.
+remove_unfinished() {
+  rm -rf "$cache"/*.$$ "$cache"/*/*.$$
+}
+
 # apt-get as if nothing was installed, with everything it writes in one folder. A mirror may be
 # weeks behind sid: its signature is checked, its date is not.
 private_apt() {

@@ -111,6 +111,7 @@ finish() {
   remove_networks
   [ -z "${folder:-}" ] || rm -rf "$folder"
   [ -z "${memory:-}" ] || rm -rf "$memory"
+  remove_unfinished
 }
 trap finish EXIT
 trap 'exit 129' HUP

@@ -11,6 +11,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import java.util.regex.Pattern;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -35,7 +36,7 @@ class ClerkIT extends BrowserTest {
       throws Exception {
     Page page = page();
     page.setViewportSize(width, height);
-    List<String> options = new ArrayList<>(List.of("--simulate", "3", "--speed", "10"));
+    List<String> options = new ArrayList<>(List.of("--simulate", "3", "--speed", "5"));
     if (isMySql) {
       Path config = folder.resolve("server.yaml");
       Files.writeString(config, "database:\n  url: \"" + RealMySql.newDatabase() + "\"\n");
@@ -60,10 +61,14 @@ class ClerkIT extends BrowserTest {
       assertThat(page.locator("h1")).hasText("Box of bolts");
       long task = Long.parseLong(page.url().replaceAll(".*/", ""));
       server.await("tasks/" + task, t -> t.get("robots").size() == 1);
+      // else it has done it all before a busy machine's browser shows it
+      server.awaitAccepted("tasks/" + task + "/hold", Map.of());
       String robot = server.task(task).get("robots").get(0).asString();
       page.navigate(server.root().resolve("map").toString());
       Locator entry =
           page.locator("#robots li").filter(new Locator.FilterOptions().setHasText(robot));
+      assertThat(entry).containsText("On hold");
+      server.awaitAccepted("tasks/" + task + "/resume", Map.of());
       assertThat(entry)
           .containsText(Pattern.compile("Driving to the load|Carrying the load|Driving home"));
       Object before = page.evaluate("document.querySelector('#map').toDataURL()");

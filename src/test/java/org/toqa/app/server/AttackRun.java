@@ -40,6 +40,9 @@ final class AttackRun implements AutoCloseable {
       "{\"name\":\"Held\",\"load\":2,\"start\":{\"station\":\"Store A\"},"
           + "\"goal\":{\"station\":\"Store B\"}}";
 
+  /** Long enough on its way for somebody to see it there. */
+  private static final String LONG_ORDER = ORDER.replace("Store B", "Goods-in 1");
+
   /** Whether each field is given all attacks; otherwise a sixth of them, which goes round. */
   private static final boolean IS_WHOLE = "whole".equals(System.getProperty("toqa.attacks"));
 
@@ -181,7 +184,7 @@ final class AttackRun implements AutoCloseable {
 
   /** An ended task whose load lies on the floor. */
   private void addLeftLoad() throws InterruptedException {
-    HttpResponse<String> answer = manager.postJson("api/v1/tasks", ORDER);
+    HttpResponse<String> answer = manager.postJson("api/v1/tasks", LONG_ORDER);
     assertEquals(201, answer.statusCode(), answer.body());
     String left = JSON.readTree(answer.body()).get("id").asString();
     awaitState(left, "CARRYING");

@@ -143,6 +143,7 @@ class MapInBrowserTest extends PagesInBrowser {
     page.getByText("Stop following").click();
     assertThat(following).isHidden();
     map.click(); // in the middle, where the robot is
+    assertThat(following).isVisible();
     assertThat(following).containsText("Following r1");
     picture(page, "map-following");
     map.press("ArrowLeft");

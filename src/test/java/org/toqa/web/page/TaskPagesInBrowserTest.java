@@ -198,6 +198,8 @@ class TaskPagesInBrowserTest extends PagesInBrowser {
   void aFormIsSentThoughItsRegionIsReplacedMeanwhile() {
     pageOfNewTask("2.5");
     Page page = pageThatIsLongUnheard("tasks/1");
+    // it is connected again: else the time for the question is over before it shows what changes
+    page.waitForRequest("**/api/v1/events*", () -> page.clock().fastForward(60_000));
     List<Route> asked = holdQuestions(page);
     page.locator("#priority").selectOption("High");
     button(page, "Change priority").click();
