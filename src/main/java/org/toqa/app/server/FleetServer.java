@@ -2,6 +2,7 @@ package org.toqa.app.server;
 
 import java.io.IOException;
 import java.time.Duration;
+import java.time.Instant;
 import java.time.InstantSource;
 import java.util.ArrayDeque;
 import java.util.Deque;
@@ -167,6 +168,8 @@ public final class FleetServer implements AutoCloseable {
     parts.push(database);
     JdbiFleetStore store = new JdbiFleetStore(database.jdbi());
     InstantSource wallClock = shared.clock();
+    HistoryPruner pruner = new HistoryPruner(database.jdbi());
+    Optional<Instant> newestEvent = pruner.newestEvent(); // before this start is told of
     JdbiServerRuns runs = new JdbiServerRuns(database.jdbi());
     runs.begin(wallClock.instant());
     parts.push(() -> runs.end(wallClock.instant()));
@@ -272,9 +275,10 @@ public final class FleetServer implements AutoCloseable {
     fleet.addFloorListener(sightingRecorder);
     RetentionJob retention =
         new RetentionJob(
-            new HistoryPruner(database.jdbi()),
+            pruner,
             configuration.trackRetention(),
             configuration.historyRetention(),
+            newestEvent,
             wallClock,
             System::nanoTime);
     parts.push(retention);

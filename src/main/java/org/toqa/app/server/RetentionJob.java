@@ -24,7 +24,10 @@ final class RetentionJob implements AutoCloseable {
   /** A computer may sleep for so long while the server runs; its monotonic clock stands then. */
   private static final Duration MAX_AHEAD = Duration.ofDays(4);
 
-  /** A server that was off for longer is told to have a wrong clock, until its next start. */
+  /**
+   * A server that was off for longer is told to have a wrong clock, until that is set or the server
+   * started again.
+   */
   private static final Duration MAX_TIME_OFF = Duration.ofDays(30);
 
   private final HistoryPruner pruner;
@@ -36,20 +39,23 @@ final class RetentionJob implements AutoCloseable {
   /** When the clock was right last. */
   private volatile Moment base;
 
-  /** From the newest event of the time before to the start, by the wall clock. */
-  private final Duration timeOff;
-
-  private record Moment(Instant wall, long nanos) {}
+  /**
+   * @param tolerance how far ahead the clock may be of the time that passes from then on
+   */
+  private record Moment(Instant wall, long nanos, Duration tolerance) {}
 
   private final PeriodicWork work;
 
   /**
+   * @param newestEvent when it was, of those before this start, which adds one by the clock of now;
+   *     empty: there was none
    * @param nanos of a clock that never jumps
    */
   RetentionJob(
       HistoryPruner pruner,
       Duration trackRetention,
       Duration historyRetention,
+      Optional<Instant> newestEvent,
       InstantSource clock,
       LongSupplier nanos) {
     this.pruner = pruner;
@@ -57,38 +63,31 @@ final class RetentionJob implements AutoCloseable {
     this.historyRetention = historyRetention;
     this.clock = clock;
     this.nanos = nanos;
-    this.base = new Moment(clock.instant(), nanos.getAsLong());
-    this.timeOff = Duration.between(newestEvent(), base.wall());
+    Instant start = clock.instant();
+    this.base =
+        newestEvent
+            .filter(last -> Duration.between(last, start).compareTo(MAX_TIME_OFF) > 0)
+            .map(last -> new Moment(last, nanos.getAsLong(), MAX_TIME_OFF))
+            .orElseGet(() -> new Moment(start, nanos.getAsLong(), MAX_AHEAD));
     work = new PeriodicWork("housekeeping", PERIOD, this::prune);
   }
 
-  private Instant newestEvent() {
-    try {
-      return pruner.newestEvent().orElse(base.wall());
-    } catch (StoreException e) {
-      log.warn("The newest event cannot be read.", e);
-      return base.wall();
-    }
-  }
-
-  /** By how much the clock is ahead of the time that has really passed. */
-  private Duration ahead() {
-    if (timeOff.compareTo(MAX_TIME_OFF) > 0) {
-      return timeOff;
-    }
+  /** By how much the clock is ahead of the time that has really passed; empty: by little. */
+  private Optional<Duration> ahead() {
     Moment from = base;
     Instant expected = from.wall().plusNanos(nanos.getAsLong() - from.nanos());
-    return Duration.between(expected, clock.instant());
+    return Optional.of(Duration.between(expected, clock.instant()))
+        .filter(ahead -> ahead.compareTo(from.tolerance()) > 0);
   }
 
   void prune() {
     Instant now = clock.instant();
-    Duration ahead = ahead();
-    if (ahead.compareTo(MAX_AHEAD) > 0) {
-      log.warn("Nothing is pruned, since the clock is {} days ahead.", ahead.toDays());
+    Optional<Duration> ahead = ahead();
+    if (ahead.isPresent()) {
+      log.warn("Nothing is pruned, since the clock is {} days ahead.", ahead.get().toDays());
       return;
     }
-    base = new Moment(now, nanos.getAsLong());
+    base = new Moment(now, nanos.getAsLong(), MAX_AHEAD);
     try {
       long points = pruner.pruneTracks(now.minus(trackRetention));
       long tasks = pruner.pruneHistory(now.minus(historyRetention));
@@ -102,10 +101,7 @@ final class RetentionJob implements AutoCloseable {
 
   /** What people should know of the clock. */
   Optional<Sentence> warning() {
-    Duration ahead = ahead();
-    return ahead.compareTo(MAX_AHEAD) > 0
-        ? Optional.of(Phrase.CLOCK_JUMPED.with(ahead.toDays()))
-        : Optional.empty();
+    return ahead().map(ahead -> Phrase.CLOCK_JUMPED.with(ahead.toDays()));
   }
 
   @Override

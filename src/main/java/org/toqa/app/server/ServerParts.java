@@ -37,8 +37,9 @@ record ServerParts(
   /**
    * @throws IOException the MQTT broker cannot be had; the message says what to do
    */
-  static ServerParts of(Configuration configuration, PasswordHasher passwords) throws IOException {
-    InstantSource wallClock = InstantSource.system();
+  static ServerParts of(
+      Configuration configuration, PasswordHasher passwords, InstantSource wallClock)
+      throws IOException {
     Configuration.Limits limits = configuration.limits();
     return new ServerParts(
         passwords,

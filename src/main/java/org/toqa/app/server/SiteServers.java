@@ -2,6 +2,7 @@ package org.toqa.app.server;
 
 import java.io.IOException;
 import java.nio.file.Path;
+import java.time.InstantSource;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Map;
@@ -75,7 +76,7 @@ public final class SiteServers implements Sites, AutoCloseable {
 
   static SiteServers start(Configuration configuration, PasswordHasher passwords)
       throws IOException {
-    ServerParts shared = ServerParts.of(configuration, passwords);
+    ServerParts shared = ServerParts.of(configuration, passwords, InstantSource.system());
     Site site = new Site(Site.FIRST_ID, "main");
     FleetServer first;
     try {

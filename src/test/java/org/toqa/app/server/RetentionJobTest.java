@@ -60,6 +60,15 @@ class RetentionJobTest {
 
       assertEquals(1, events());
       assertEquals(Optional.of(Phrase.CLOCK_JUMPED.with(1095L)), job.warning());
+
+      wall = START.plus(Duration.ofDays(10)); // the clock is set
+      assertEquals(Optional.empty(), job.warning());
+      job.prune();
+      wall = wall.plus(YEAR.multipliedBy(3));
+      job.prune();
+
+      assertEquals(1, events());
+      assertEquals(Optional.of(Phrase.CLOCK_JUMPED.with(1095L)), job.warning());
     }
   }
 
@@ -90,10 +99,12 @@ class RetentionJobTest {
   }
 
   private RetentionJob job() {
+    HistoryPruner pruner = new HistoryPruner(database.jdbi());
     return new RetentionJob(
-        new HistoryPruner(database.jdbi()),
+        pruner,
         Duration.ofDays(90),
         Duration.ofDays(730),
+        pruner.newestEvent(),
         () -> wall,
         () -> nanos);
   }
