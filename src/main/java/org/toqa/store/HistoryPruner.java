@@ -25,6 +25,12 @@ public final class HistoryPruner {
   private static final String OLD_UTILISATION =
       "delete from robot_use where at < :before limit " + BATCH_SIZE;
 
+  private static final String OLD_SESSIONS =
+      "delete from sessions where expires_at < :before limit " + BATCH_SIZE;
+
+  private static final String OLD_LINKS =
+      "delete from reset_links where expires_at < :before limit " + BATCH_SIZE;
+
   private static final String OLD_MAPS =
       """
       select m.id from floor_maps m where m.since < :before
@@ -88,6 +94,16 @@ public final class HistoryPruner {
     deleteInBatches(() -> deleteOlder(OLD_UTILISATION, before));
     deleteInBatches(() -> deleteOldMaps(before));
     return deleteInBatches(() -> deleteEndedTasks(before));
+  }
+
+  /**
+   * Logins, tokens and links that expired before this are removed.
+   *
+   * @throws StoreException when the database does not answer
+   */
+  public void pruneExpired(Instant before) {
+    deleteInBatches(() -> deleteOlder(OLD_SESSIONS, before));
+    deleteInBatches(() -> deleteOlder(OLD_LINKS, before));
   }
 
   /**

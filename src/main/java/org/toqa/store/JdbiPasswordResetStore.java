@@ -41,7 +41,6 @@ public final class JdbiPasswordResetStore implements PasswordResetStore {
     Instant now = clock.instant();
     return sql.inTransaction(
         handle -> {
-          handle.execute("delete from reset_links where expires_at <= ?", now);
           handle.execute(
               "insert into reset_links (user_id, secret_hash, expires_at) values (?, ?, ?)",
               user.id(),

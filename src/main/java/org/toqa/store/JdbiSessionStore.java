@@ -77,13 +77,16 @@ public final class JdbiSessionStore implements SessionStore {
         });
   }
 
+  /** What has expired is the least used; the rest of it goes with what else is old. */
   private void endLeastUsed(Handle handle, Account user, Kind kind) {
     handle
         .createQuery(
             """
             select id from sessions where user_id = :user and kind = :kind
-            order by seen_at desc, id desc limit :more offset :kept
+            order by case when expires_at > :now then 0 else 1 end, seen_at desc, id desc
+            limit :more offset :kept
             """)
+        .bind("now", clock.instant())
         .bind("user", user.id())
         .bind("kind", kind.name())
         .bind("more", MAX_LISTED)
@@ -254,7 +257,6 @@ public final class JdbiSessionStore implements SessionStore {
       Duration life) {
     Instant now = clock.instant().truncatedTo(ChronoUnit.MILLIS);
     String secret = Secret.random(site.id());
-    handle.execute("delete from sessions where expires_at <= ?", now);
     long id =
         handle
             .createUpdate(

@@ -24,6 +24,7 @@ import org.toqa.accounts.Handover;
 import org.toqa.accounts.PasswordResetStore;
 import org.toqa.accounts.Role;
 import org.toqa.accounts.Scope;
+import org.toqa.accounts.Secret;
 import org.toqa.accounts.Session;
 import org.toqa.accounts.Session.Carrier;
 import org.toqa.accounts.Session.Kind;
@@ -160,6 +161,67 @@ class AccountStoreTest {
     now = START.plus(Duration.ofDays(2));
     assertEquals(Optional.empty(), owner(Carrier.BEARER, begun.secret()));
     assertEquals(List.of(), sessions.sessions(ada.id()));
+  }
+
+  @Test
+  void whoLogsInByAClockThatIsAheadEndsNobodysLogin() {
+    Account ada = ada();
+    String browser = sessions.begin(ada, Kind.BROWSER, ORIGIN).secret();
+    String token =
+        sessions.issueToken(ada, "ci", Set.of(Scope.READ), ORIGIN, Duration.ofDays(2)).secret();
+    String link = resets.issue(ada, Duration.ofHours(1), "ada");
+
+    now = START.plus(Duration.ofDays(1000));
+    assertEquals(Optional.empty(), owner(Carrier.COOKIE, browser));
+    sessions.begin(ada, Kind.BROWSER, ORIGIN);
+    sessions.issueToken(ada, "cd", Set.of(Scope.READ), ORIGIN, Duration.ofDays(2));
+    resets.issue(ada, Duration.ofHours(1), "ada");
+    now = START.plusSeconds(60); // it is set
+
+    assertEquals(Optional.of(ada), owner(Carrier.COOKIE, browser));
+    assertEquals(Optional.of(ada), owner(Carrier.BEARER, token));
+    assertEquals(Optional.of(ada), resets.account(link));
+  }
+
+  @Test
+  void ofTooManyLoginsThoseThatHaveExpiredGoFirst() {
+    Account ada = ada();
+    String live = sessions.begin(ada, Kind.BROWSER, ORIGIN).secret();
+    now = START.plusSeconds(1);
+    for (int i = 1; i < PER_USER; i++) {
+      String expired = sessions.begin(ada, Kind.BROWSER, ORIGIN).secret();
+      jdbi.useHandle(
+          h ->
+              h.execute(
+                  "update sessions set expires_at = ? where secret_hash = ?",
+                  now,
+                  Secret.hash(expired)));
+    }
+    now = START.plusSeconds(2);
+
+    sessions.begin(ada, Kind.BROWSER, ORIGIN);
+
+    assertEquals(Optional.of(ada), owner(Carrier.COOKIE, live), "though it is the least used");
+  }
+
+  @Test
+  void whatHasExpiredLongAgoIsRemoved() {
+    Account ada = ada();
+    sessions.begin(ada, Kind.BROWSER, ORIGIN);
+    resets.issue(ada, Duration.ofHours(1), "ada");
+    String token =
+        sessions.issueToken(ada, "ci", Set.of(Scope.READ), ORIGIN, Duration.ofDays(2)).secret();
+
+    new HistoryPruner(jdbi).pruneExpired(START.plus(Duration.ofDays(1)));
+
+    assertEquals(Optional.of(ada), owner(Carrier.BEARER, token));
+    assertEquals(1, count("sessions"));
+    assertEquals(0, count("reset_links"));
+  }
+
+  private int count(String table) {
+    return jdbi.withHandle(
+        h -> h.createQuery("select count(*) from " + table).mapTo(Integer.class).one());
   }
 
   @Test

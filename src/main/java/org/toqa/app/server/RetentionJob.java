@@ -89,6 +89,7 @@ final class RetentionJob implements AutoCloseable {
     }
     base = new Moment(now, nanos.getAsLong(), MAX_AHEAD);
     try {
+      pruner.pruneExpired(now.minus(MAX_TIME_OFF)); // a clock that is ahead by less is not noticed
       long points = pruner.pruneTracks(now.minus(trackRetention));
       long tasks = pruner.pruneHistory(now.minus(historyRetention));
       if (points + tasks > 0) {
