@@ -1,5 +1,6 @@
 package org.toqa.mission;
 
+import java.time.Duration;
 import java.time.Instant;
 import java.util.ArrayList;
 import java.util.List;
@@ -232,15 +233,13 @@ public record Mission(
   /**
    * Whether they have waited there for as long as was ordered.
    *
-   * @param pace seconds of the fleet's time in a second of the clock
+   * @param waited for how long they have, of the fleet's time
    */
-  public boolean isWaitOver(Instant now, double pace) {
-    Instant since = progress.waitingSince();
-    return since != null
-        && !held
+  public boolean isWaitOver(Duration waited) {
+    return !held
         && trouble == null
         && waitingStop()
-            .flatMap(stop -> stop.waitLeft(since, now, pace))
+            .flatMap(stop -> stop.waitLeft(waited))
             .filter(left -> !left.isPositive())
             .isPresent();
   }

@@ -1,7 +1,6 @@
 package org.toqa.mission;
 
 import java.time.Duration;
-import java.time.Instant;
 import java.util.Optional;
 import org.jspecify.annotations.Nullable;
 import org.toqa.wording.Phrase;
@@ -51,15 +50,12 @@ public record Stop(
   }
 
   /**
-   * How long they still wait here, of the fleet's time, 0 or less where that is over; empty: no
-   * time was said.
+   * How long they still wait here, 0 or less where that is over; empty: no time was said.
    *
-   * @param since when they came
-   * @param pace seconds of the fleet's time in a second of the clock
+   * @param waited for how long they have, both of the fleet's time
    */
-  public Optional<Duration> waitLeft(Instant since, Instant now, double pace) {
-    return Optional.ofNullable(waitTime)
-        .map(wait -> wait.minusMillis(Math.round(pace * Duration.between(since, now).toMillis())));
+  public Optional<Duration> waitLeft(Duration waited) {
+    return Optional.ofNullable(waitTime).map(wait -> wait.minus(waited));
   }
 
   /** Whether nothing else lets the robots drive on than a person. */

@@ -1,5 +1,6 @@
 package org.toqa.mission;
 
+import java.time.Duration;
 import java.time.Instant;
 import org.jspecify.annotations.Nullable;
 
@@ -15,6 +16,18 @@ public record StopProgress(int stop, @Nullable Instant waitingSince, int fetched
 
   /** Nothing is fetched yet. */
   public static final StopProgress START = new StopProgress(0, null, 1);
+
+  /**
+   * For how long they have waited, of the fleet's time, as far as the clock knows: one that was set
+   * back since then knows nothing of it.
+   *
+   * @param pace seconds of the fleet's time in a second of the clock
+   */
+  public Duration waited(Instant now, double pace) {
+    return waitingSince == null || now.isBefore(waitingSince)
+        ? Duration.ZERO
+        : Duration.ofMillis(Math.round(pace * Duration.between(waitingSince, now).toMillis()));
+  }
 
   StopProgress withoutWait() {
     return new StopProgress(stop, null, fetchedBefore);

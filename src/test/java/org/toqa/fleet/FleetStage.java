@@ -50,6 +50,7 @@ public final class FleetStage implements AutoCloseable {
   public final Database database = MemoryDatabase.open("fleet-" + System.nanoTime());
   public final JdbiFleetStore store = new JdbiFleetStore(database.jdbi());
   Instant now = Instant.parse("2026-11-21T08:00:00Z");
+  private volatile Duration clockAhead = Duration.ZERO;
   public AgentFleet fleet;
   private volatile @Nullable Fingerprint pairingFingerprint;
 
@@ -153,7 +154,7 @@ public final class FleetStage implements AutoCloseable {
             links,
             method,
             new FleetRules(REASSIGN_AFTER, charging, 1),
-            () -> now,
+            () -> now.plus(clockAhead),
             now,
             runtime);
     opened.rejections(List.of(), "Max").toCompletableFuture().join(); // then its agents have begun
@@ -167,6 +168,15 @@ public final class FleetStage implements AutoCloseable {
           runtime.recordSlowCall(method);
           return real.go();
         });
+  }
+
+  /**
+   * Sets the wall clock.
+   *
+   * @param ahead of the time that goes on
+   */
+  void setClock(Duration ahead) {
+    clockAhead = ahead;
   }
 
   /** Lets time go on, and the robots drive, until it is so. */

@@ -1,6 +1,7 @@
 package org.toqa.fleet;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertInstanceOf;
 import static org.junit.jupiter.api.Assertions.assertNotNull;
 import static org.junit.jupiter.api.Assertions.assertTrue;
@@ -70,6 +71,42 @@ class FleetStopsTest extends HallFleetTest {
             .map(EventRecord::text)
             .toList());
     assertEquals(1, history("task.delivered").size());
+  }
+
+  @Test
+  void aClockThatIsSetNeitherEndsNorProlongsAWait() throws Exception {
+    long task = submitTourWithAMinute();
+    until(view -> task(view, task).isWaitingAtStop());
+
+    stage.pass(Duration.ofSeconds(30));
+    stage.setClock(Duration.ofDays(1));
+    stage.pass(Duration.ofSeconds(25));
+    assertTrue(task(stage.fleet.snapshots().latest(), task).isWaitingAtStop());
+    stage.setClock(Duration.ofHours(-2));
+    stage.pass(Duration.ofSeconds(10));
+    assertFalse(task(stage.fleet.snapshots().latest(), task).isWaitingAtStop());
+  }
+
+  @Test
+  void aWaitThatAccordingToTheClockHasNotBegunYetIsNoLongerThanOrdered() throws Exception {
+    stage.setClock(Duration.ofDays(1));
+    long task = submitTourWithAMinute();
+    until(view -> task(view, task).isWaitingAtStop());
+
+    stage.setClock(Duration.ZERO);
+    stage.restart();
+    stage.pass(Duration.ofSeconds(55));
+    assertTrue(task(stage.fleet.snapshots().latest(), task).isWaitingAtStop());
+    stage.pass(Duration.ofSeconds(10));
+    assertFalse(task(stage.fleet.snapshots().latest(), task).isWaitingAtStop());
+  }
+
+  private long submitTourWithAMinute() throws Exception {
+    return submit(
+        tour(
+            stop(WEST_STATION),
+            new StopOrder(IN_THE_MIDDLE, false, Duration.ofMinutes(1)),
+            stop(EAST_STATION)));
   }
 
   @Test

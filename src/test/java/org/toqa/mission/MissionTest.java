@@ -111,7 +111,7 @@ class MissionTest {
 
     Mission.Step step = mission.apply(arrived(Phase.TO_OBJECT, 1));
     assertEquals(List.of("Charges at charger C1"), said(step));
-    assertFalse(step.mission().isWaitOver(NOON.plusSeconds(1_000_000), 1), "no time was said");
+    assertFalse(step.mission().isWaitOver(Duration.ofSeconds(1_000_000)), "no time was said");
     step = step.mission().apply(new MissionEvent.ChargeEnded(1, 0.804));
     assertEquals(
         List.of("Charged to 80 % at charger C1", "Leaves charger C1, stop 2 of 3"), said(step));
@@ -120,7 +120,7 @@ class MissionTest {
 
     step = step.mission().apply(arrived(Phase.TO_OBJECT, 2));
     assertEquals(List.of("Charges at a charger of its choice"), said(step));
-    assertTrue(step.mission().isWaitOver(NOON.plusSeconds(30), 1));
+    assertTrue(step.mission().isWaitOver(Duration.ofSeconds(30)));
     step = step.mission().apply(new MissionEvent.WaitEnded(2));
     assertEquals("The drive ended at a charger of its choice", said(step).getLast());
     assertTrue(step.mission().chargingStop().isEmpty());
@@ -174,7 +174,7 @@ class MissionTest {
     assertEquals(List.of("Waits at Store"), said(step));
     assertEquals(TaskState.TO_OBJECT, step.mission().state());
     assertEquals(List.of(), step.commands());
-    assertFalse(step.mission().isWaitOver(NOON.plusSeconds(1_000_000), 1), "a person says it");
+    assertFalse(step.mission().isWaitOver(Duration.ofSeconds(1_000_000)), "a person says it");
 
     step = step.mission().apply(new MissionEvent.GoOn("max", 0));
     assertEquals(List.of("max let the robot go on from Store", "Picked up at Store"), said(step));
@@ -195,10 +195,12 @@ class MissionTest {
     assertEquals(TaskState.CARRYING, step.mission().state());
 
     Mission waiting = step.mission().apply(arrived(Phase.TO_GOAL, 3)).mission();
-    assertFalse(waiting.isWaitOver(NOON.plusSeconds(29), 1));
-    assertTrue(waiting.isWaitOver(NOON.plusSeconds(30), 1));
-    assertFalse(waiting.isWaitOver(NOON.plusSeconds(1), 20)); // 20 s of the fleet's time
-    assertTrue(waiting.isWaitOver(NOON.plusSeconds(2), 20));
+    assertFalse(waiting.isWaitOver(Duration.ofSeconds(29)));
+    assertTrue(waiting.isWaitOver(Duration.ofSeconds(30)));
+    assertEquals(
+        Duration.ofSeconds(20), waiting.progress().waited(NOON.plusSeconds(1), 20), "fleet's time");
+    assertEquals(
+        Duration.ZERO, waiting.progress().waited(NOON.minusSeconds(7200), 1), "it was set back");
     step = waiting.apply(new MissionEvent.WaitEnded(3));
     assertEquals(TaskState.RETURNING, step.mission().state());
     assertEquals(List.of(new MissionCommand.Drive("r1", Phase.HOME)), step.commands());

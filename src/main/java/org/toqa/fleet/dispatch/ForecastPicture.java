@@ -227,9 +227,12 @@ record ForecastPicture(
     if (!stop.hasWait()) {
       return 0;
     }
-    Instant since = task.progress().stop() == number ? task.progress().waitingSince() : null;
+    Duration waited =
+        task.progress().stop() == number
+            ? task.progress().waited(now, rules.pace())
+            : Duration.ZERO;
     double time =
-        stop.waitLeft(since == null ? now : since, now, rules.pace())
+        stop.waitLeft(waited)
             .map(left -> Math.max(0, left.toMillis() / 1000.0))
             .orElse(Double.POSITIVE_INFINITY);
     return Math.min(time, chargeSeconds(task, stop));

@@ -357,7 +357,8 @@ final class FloorMissions {
     if (mission.isEmpty()) {
       return;
     }
-    if (mission.get().isWaitOver(state.clock.instant(), pace)) {
+    robot.stopWait.update(mission.get(), state.clock.instant(), state.now, pace);
+    if (mission.get().isWaitOver(robot.stopWait.waited(state.now))) {
       applyEvent(mission.get(), new MissionEvent.WaitEnded(mission.get().progress().stop()));
       return;
     }

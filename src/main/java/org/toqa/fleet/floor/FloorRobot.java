@@ -58,6 +58,9 @@ final class FloorRobot {
   /** What its arm was told. */
   final ArmWork arm = new ArmWork();
 
+  /** Where its task waits at a stop. */
+  final StopWait stopWait = new StopWait();
+
   /** That it is stopped and has nothing to do. */
   final ConditionTimer idle = new ConditionTimer();
 
