@@ -238,7 +238,7 @@ public final class FleetServer implements AutoCloseable {
             accounts,
             new JdbiPasswordResetStore(database.sessions(), wallClock, site, lastKnown),
             mail,
-            wallClock);
+            new SteadyClock(wallClock.instant(), System::nanoTime));
     Metrics metrics = new Metrics(fleet.snapshots(), site.isFirst());
     parts.push(metrics);
     database.bindMetrics(metrics.registry());

@@ -2,12 +2,14 @@ package org.toqa.app.server;
 
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
+import static org.junit.jupiter.api.Assertions.fail;
 
 import java.nio.file.Path;
 import java.time.Duration;
 import java.time.Instant;
 import java.util.EnumMap;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.Test;
@@ -19,6 +21,7 @@ import org.toqa.app.config.SettingSource;
 import org.toqa.fleet.FleetSnapshot;
 import org.toqa.fleet.SnapshotFeed;
 import org.toqa.testbed.CheapPassword;
+import org.toqa.web.Texts;
 import org.toqa.wording.Phrase;
 import org.toqa.wording.Sentence;
 
@@ -26,6 +29,7 @@ import org.toqa.wording.Sentence;
 class ClockOfServerTest {
   private static final Path MAP = Path.of("maps/lab.yaml").toAbsolutePath();
   private static final Duration PATIENCE = Duration.ofSeconds(30);
+  private static final int MANY = 1000;
   private static final Sentence JUMPED = Phrase.CLOCK_JUMPED.with(1095L);
 
   @TempDir private Path folder;
@@ -44,6 +48,34 @@ class ClockOfServerTest {
 
     run(toqa -> awaitAlert(toqa, JUMPED));
     run(toqa -> assertFalse(alerts(toqa).contains(JUMPED), "it was started again"));
+  }
+
+  @Test
+  void aClockThatIsSetNeitherEndsNorProlongsTheWaitForALink() throws Exception {
+    run(
+        toqa -> {
+          Duration wait = askForLinks(toqa);
+          for (Duration jump : List.of(Duration.ofDays(1), Duration.ofDays(-2))) {
+            wall = wall.plus(jump);
+            Duration left = askForLink(toqa);
+            assertTrue(left.isPositive() && left.compareTo(wait) <= 0, left::toString);
+          }
+        });
+  }
+
+  /** Until it is to wait. */
+  private static Duration askForLinks(FleetServer toqa) {
+    for (int i = 0; i < MANY; i++) {
+      Duration wait = askForLink(toqa);
+      if (wait.isPositive()) {
+        return wait;
+      }
+    }
+    return fail("it may ask without end");
+  }
+
+  private static Duration askForLink(FleetServer toqa) {
+    return toqa.services().passwordLinks().sendLink("ann", "192.0.2.7", Texts.in(Locale.ENGLISH));
   }
 
   private static List<Sentence> alerts(FleetServer toqa) {
