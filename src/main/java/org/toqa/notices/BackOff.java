@@ -9,7 +9,7 @@ final class BackOff {
   static final Duration GIVE_UP_AFTER = Duration.ofHours(24);
   private static final Duration FIRST = Duration.ofSeconds(5);
   private static final int FACTOR = 4;
-  private static final Duration LONGEST = Duration.ofHours(2);
+  static final Duration LONGEST = Duration.ofHours(2);
 
   private BackOff() {}
 

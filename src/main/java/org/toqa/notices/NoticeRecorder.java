@@ -87,7 +87,7 @@ public final class NoticeRecorder implements AutoCloseable {
     }
     NoticeTracker.Step step = before.next(conditions(now), now);
     tracker = step.tracker();
-    if (!step.isEmpty() || !now.isBefore(planAt.plus(PLAN_AGE))) {
+    if (!step.isEmpty() || now.isBefore(planAt) || !now.isBefore(planAt.plus(PLAN_AGE))) {
       renewPlan(now);
     }
     List<Change> found = new ArrayList<>();

@@ -154,5 +154,14 @@ public interface NoticeStore {
   /** It is tried again then. */
   void setFailed(Due due, String failure, Instant next);
 
+  /**
+   * What waits although it was accepted after {@code now}, or has failed and is tried again after
+   * {@code latest}.
+   */
+  List<Due> putOff(Instant now, Instant latest);
+
+  /** While it waits, it counts as accepted then, and is tried at {@code next}. */
+  void bringForward(Due due, Instant createdAt, Instant next);
+
   void giveUp(Due due, String failure, Instant at);
 }

@@ -55,8 +55,27 @@ record NoticeTracker(Map<Key, Tracked> tracked, Instant endsFrom) {
     return new NoticeTracker(tracked, now.plus(SETTLING));
   }
 
+  /** Where the clock was set back meanwhile, nothing waits longer than from now on. */
+  private NoticeTracker asOf(Instant now) {
+    Map<Key, Tracked> earlier = new HashMap<>();
+    tracked.forEach(
+        (key, one) ->
+            earlier.put(
+                key,
+                new Tracked(one.notice(), earlier(one.since(), now), earlier(one.last(), now))));
+    return new NoticeTracker(earlier, earlier(endsFrom, now.plus(SETTLING)));
+  }
+
+  private static Instant earlier(Instant one, Instant other) {
+    return one.isBefore(other) ? one : other;
+  }
+
   /** What has begun and ended since. */
   Step next(List<Condition> conditions, Instant now) {
+    return asOf(now).following(conditions, now);
+  }
+
+  private Step following(List<Condition> conditions, Instant now) {
     Map<Key, Tracked> next = new HashMap<>();
     List<Notice> begun = new ArrayList<>();
     for (Condition condition : conditions) {

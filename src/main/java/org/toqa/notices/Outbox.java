@@ -45,6 +45,9 @@ public final class Outbox implements AutoCloseable {
   /** Of one look at a lane, so that one that is busy ends when the server does. */
   private static final int MOST_IN_A_ROW = 50;
 
+  /** A clock that is set back by less was put right. */
+  private static final Duration CLOCK_JITTER = Duration.ofMinutes(1);
+
   private static final int LONGEST_FAILURE = 300;
   private static final String NOBODY_TO_TELL =
       "The user may not sign in any more, or has no e-mail address.";
@@ -64,6 +67,9 @@ public final class Outbox implements AutoCloseable {
 
   /** Lanes that were at work at the last look; of the periodic work's thread. */
   private final Map<Lane, Future<?>> busy = new HashMap<>();
+
+  /** Null: there was none yet; of the periodic work's thread. */
+  private @Nullable Instant lastLook;
 
   private volatile boolean closed;
 
@@ -101,6 +107,7 @@ public final class Outbox implements AutoCloseable {
 
   private void look() {
     try {
+      bringForward();
       List<Webhook> all = store.webhooks();
       Set<Lane> lanes = new HashSet<>();
       run(LETTERS, store::firstLetter, this::sendLetter);
@@ -119,6 +126,31 @@ public final class Outbox implements AutoCloseable {
     } catch (StoreException e) {
       log.debug("The outbox cannot be read; it waits.", e);
     }
+  }
+
+  /** What a clock that was ahead has put off is told by the clock now. */
+  private void bringForward() {
+    Instant now = clock.instant();
+    Instant last = lastLook;
+    boolean isSetBack = last != null && now.isBefore(last.minus(CLOCK_JITTER));
+    if (last == null || isSetBack) {
+      for (Due due : store.putOff(now, isSetBack ? now : now.plus(BackOff.LONGEST))) {
+        Instant accepted = due.createdAt().isBefore(now) ? due.createdAt() : now;
+        store.bringForward(due, accepted, whenDisturbable(due.delivery().receiver(), now));
+      }
+    }
+    lastLook = now;
+  }
+
+  private Instant whenDisturbable(Receiver receiver, Instant now) {
+    return switch (receiver) {
+      case Receiver.OfPerson(long account) ->
+          store
+              .person(account)
+              .map(person -> person.preferences().whenDisturbable(now))
+              .orElse(now);
+      case Receiver.OfWebhook _ -> now;
+    };
   }
 
   private void run(Lane lane, Function<Instant, Optional<Due>> next, Telling telling) {

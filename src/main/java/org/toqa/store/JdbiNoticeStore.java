@@ -44,6 +44,13 @@ public final class JdbiNoticeStore implements NoticeStore {
       "n.id, n.uid, n.kind, n.subject, n.floor, n.task_id, n.robot, n.owner_id, n.text, n.said,"
           + " n.begun_at, n.ended_at";
 
+  private static final String DUE =
+      "select d.id as delivery_id, d.uid as delivery_uid, d.user_id, d.webhook_id, d.ending,"
+          + " d.attempts, d.created_at, d.next_at, "
+          + COLUMNS
+          + " from notice_deliveries d join notices n on n.id = d.notice_id"
+          + " where d.state = 'WAITING'";
+
   private static final String DELIVERIES =
       """
       select d.notice_id, d.user_id, d.webhook_id, d.ending, d.state, d.attempts, d.next_at,
@@ -643,11 +650,8 @@ public final class JdbiNoticeStore implements NoticeStore {
 
   private Optional<Due> first(String which, String same, long webhook, Instant now) {
     String query =
-        "select d.id as delivery_id, d.uid as delivery_uid, d.user_id, d.webhook_id, d.ending,"
-            + " d.attempts, d.created_at, d.next_at, "
-            + COLUMNS
-            + " from notice_deliveries d join notices n on n.id = d.notice_id"
-            + " where d.state = 'WAITING' and d.next_at <= :now and "
+        DUE
+            + " and d.next_at <= :now and "
             + which
             + " and not exists (select 1 from notice_deliveries p where p.notice_id = d.notice_id"
             + " and p.id < d.id and p.state = 'WAITING' and "
@@ -661,6 +665,39 @@ public final class JdbiNoticeStore implements NoticeStore {
                 .map((row, _) -> due(row))
                 .findOne()
                 .flatMap(due -> due));
+  }
+
+  @Override
+  public List<Due> putOff(Instant now, Instant latest) {
+    String query =
+        DUE
+            + " and (d.created_at > :now or d.attempts > 0 and d.next_at > :latest)"
+            + " order by d.id";
+    return sql.withHandle(
+        h ->
+            h
+                .createQuery(query)
+                .bind("now", now)
+                .bind("latest", latest)
+                .map((row, _) -> due(row))
+                .stream()
+                .flatMap(Optional::stream)
+                .toList());
+  }
+
+  @Override
+  public void bringForward(Due due, Instant createdAt, Instant next) {
+    sql.withHandle(
+        h ->
+            h.createUpdate(
+                    """
+                    update notice_deliveries set created_at = :created, next_at = :next
+                    where id = :id and state = 'WAITING'
+                    """)
+                .bind("created", createdAt)
+                .bind("next", next)
+                .bind("id", due.id())
+                .execute());
   }
 
   private static Optional<Due> due(ResultSet row) throws SQLException {

@@ -54,6 +54,21 @@ class NoticeTrackerTest {
   }
 
   @Test
+  void aClockThatIsSetBackProlongsNoWait() {
+    Instant ahead = START.plus(Duration.ofDays(1000));
+    tracker = NoticeTracker.of(List.of(), ahead);
+    at(ahead.plusSeconds(1), LOST);
+
+    assertTrue(at(START, LOST).isEmpty());
+    Notice begun = at(START.plusSeconds(10), LOST).begun().getFirst(); // its patience
+    assertEquals(START, begun.begunAt());
+
+    at(ahead, LOST);
+    assertTrue(at(START).isEmpty());
+    assertEquals(1, at(SETTLED).ended().size());
+  }
+
+  @Test
   void oneThatComesAndGoesIsOneNotice() {
     at(SETTLED, QUESTION);
     assertEquals(1, at(SETTLED.plusSeconds(2), QUESTION).begun().size());

@@ -18,6 +18,7 @@ import java.net.URI;
 import java.nio.charset.StandardCharsets;
 import java.time.Duration;
 import java.time.Instant;
+import java.time.LocalTime;
 import java.time.ZoneOffset;
 import java.util.EnumSet;
 import java.util.List;
@@ -136,13 +137,17 @@ class OutboxTest {
   }
 
   private void wantLetters(String language) {
+    wantLetters(language, null);
+  }
+
+  private void wantLetters(String language, @Nullable QuietHours quiet) {
     store.setPreferences(
         clara,
         new NoticePreferences(
             Map.of(NoticeKind.ROBOT_LOST, EnumSet.of(Channel.EMAIL)),
             false,
             true,
-            null,
+            quiet,
             ZoneOffset.UTC,
             language));
   }
@@ -283,6 +288,39 @@ class OutboxTest {
     assertTrue(
         String.valueOf(outcomes().getFirst().failure()).contains("answered with the status 500;"));
     assertEquals(State.GIVEN_UP, store.lastOutcomes().values().iterator().next().state());
+  }
+
+  @Test
+  void whatAClockThatWasAheadHasPutOffIsToldWhenItIsSetBack() throws Exception {
+    addWebhook(url("/hook"));
+    answers.addAll(List.of(500, 500, 500));
+    now = START.plus(Duration.ofDays(1000));
+    accept(lost(), false);
+    try (Outbox _ = outbox(loopback())) {
+      await(() -> outcomes().getFirst().attempts() == 1);
+      now = START;
+      await(() -> outcomes().getFirst().attempts() == 2);
+      assertEquals(START.plusSeconds(20), outcomes().getFirst().nextAt());
+    }
+    now = START.minus(Duration.ofDays(1)); // while no server runs
+    try (Outbox _ = outbox(loopback())) {
+      await(() -> outcomes().getFirst().attempts() == 3);
+      now = START;
+      awaitStates(State.SENT);
+    }
+  }
+
+  @Test
+  void aLetterThatAClockAheadHasPutOffWaitsForTheEndOfQuietHoursOnly() throws Exception {
+    wantLetters("en", new QuietHours(LocalTime.of(22, 0), LocalTime.of(9, 0), ZoneOffset.UTC));
+    now = START.plus(Duration.ofDays(1000));
+    accept(lost(), false);
+    now = START;
+    try (Outbox _ = outbox(loopback())) {
+      await(() -> outcomes().getFirst().nextAt().equals(START.plus(Duration.ofHours(1))));
+      now = START.plus(Duration.ofHours(1));
+      awaitStates(State.SENT);
+    }
   }
 
   @Test
