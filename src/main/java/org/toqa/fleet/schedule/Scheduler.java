@@ -20,6 +20,7 @@ import org.toqa.fleet.EventKind;
 import org.toqa.fleet.EventRecord;
 import org.toqa.fleet.Fleet;
 import org.toqa.fleet.Orderer;
+import org.toqa.fleet.Recurrence;
 import org.toqa.fleet.Schedule;
 import org.toqa.fleet.ScheduleStore;
 import org.toqa.fleet.TaskArchive;
@@ -78,16 +79,24 @@ public final class Scheduler {
     }
   }
 
-  /** What a clock that was ahead has put off is due again when it is due by the clock now. */
+  /**
+   * What a clock that was ahead has put off, maybe beyond its end, is due again when it is due by
+   * the clock now.
+   */
   private void bringForward(Instant now) {
     for (Schedule schedule : store.schedules()) {
-      Instant due = schedule.due();
       Instant next = schedule.nextDueAfter(now).orElse(null);
-      if (!schedule.paused() && due != null && next != null && next.isBefore(due)) {
+      if (!schedule.paused() && next != null && isLater(schedule, next)) {
         log.warn("{} is due again at {}, since the clock was set back.", name(schedule), next);
         store.savePause(schedule.id(), false, next, List.of());
       }
     }
+  }
+
+  /** Whether its task is put in later than then, or never; one that is due once had its own. */
+  private static boolean isLater(Schedule schedule, Instant next) {
+    Instant due = schedule.due();
+    return due == null ? !(schedule.recurrence() instanceof Recurrence.Once) : next.isBefore(due);
   }
 
   private void run(Schedule schedule, Instant now) {

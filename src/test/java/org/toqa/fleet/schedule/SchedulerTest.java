@@ -50,6 +50,17 @@ class SchedulerTest {
   private static final Instant START = Instant.parse("2026-11-21T10:00:00Z");
   private static final Duration HALF_HOUR = Duration.ofMinutes(30);
 
+  private static final TaskOrder BOX =
+      new TaskOrder(
+          "box",
+          1,
+          new Where.Station("Goods-in 1"),
+          new Where.Station("Mill"),
+          null,
+          0,
+          null,
+          null);
+
   private Instant now = START;
   private FleetStage stage;
   private JdbiScheduleStore schedules;
@@ -154,6 +165,34 @@ class SchedulerTest {
     look(START.plusSeconds(1).plus(HALF_HOUR));
 
     assertEquals(2, stage.store.count());
+  }
+
+  @Test
+  void aClockThatJumpsBeyondTheEndOfAScheduleAndBackDoesNotEndIt() throws Exception {
+    Instant first = START.plusSeconds(1);
+    long id = addEvery(first, first.plus(HALF_HOUR.multipliedBy(2)));
+    long once = add(BOX, new Recurrence.Once(first), null);
+    look(START.plus(Duration.ofDays(1_000)));
+    assertNull(schedule(id).due());
+    assertEquals(2, stage.store.count());
+    cancel(1);
+    cancel(2);
+
+    look(START);
+    assertEquals(first, schedule(id).due());
+    assertNull(schedule(once).due(), "its task was put in");
+    look(first); // of which the task is there
+    look(first.plus(HALF_HOUR));
+    assertEquals(3, stage.store.count());
+    cancel(3);
+    look(first.plus(HALF_HOUR.multipliedBy(2)));
+    cancel(4);
+    assertNull(schedule(id).due());
+
+    look(first.plus(HALF_HOUR.multipliedBy(3)));
+    look(first.plus(HALF_HOUR.multipliedBy(2)).plusSeconds(1)); // after its end
+    assertNull(schedule(id).due());
+    assertEquals(4, stage.store.count());
   }
 
   @Test
@@ -324,17 +363,7 @@ class SchedulerTest {
   }
 
   private long addEvery(Instant first, @Nullable Instant until) {
-    TaskOrder order =
-        new TaskOrder(
-            "box",
-            1,
-            new Where.Station("Goods-in 1"),
-            new Where.Station("Mill"),
-            null,
-            0,
-            null,
-            null);
-    return add(order, new Recurrence.Every(first, HALF_HOUR), until);
+    return add(BOX, new Recurrence.Every(first, HALF_HOUR), until);
   }
 
   private long add(TaskOrder order, Recurrence recurrence, @Nullable Instant until) {
