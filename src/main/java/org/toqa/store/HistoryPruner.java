@@ -43,7 +43,8 @@ public final class HistoryPruner {
 
   private static final String OLD_TASKS =
       """
-      select id from tasks where changed_at < :before and state in ('DONE', 'FAILED', 'CANCELLED')
+      select id from tasks where changed_at < :before
+        and (state = 'DONE' or state in ('FAILED', 'CANCELLED') and set_down_x is null)
         and not exists (select 1 from tasks o where o.order_id = tasks.order_id
           and o.state not in ('DONE', 'FAILED', 'CANCELLED'))
       order by changed_at limit
@@ -84,7 +85,7 @@ public final class HistoryPruner {
   /**
    * How many tasks were removed, with their events, that ended before this; other events, ended
    * notices and what robots did go too, where they are older. Those of an order go when all of it
-   * has ended.
+   * has ended, and none whose load was left on the floor.
    *
    * @throws StoreException when the database does not answer
    */

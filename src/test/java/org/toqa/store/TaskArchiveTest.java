@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
+import java.util.Optional;
 import java.util.Set;
 import org.junit.jupiter.api.Test;
 import org.toqa.accounts.Role;
@@ -149,6 +150,23 @@ class TaskArchiveTest extends FleetDatabaseTest {
             new EventRecord(
                 AT, EventKind.TASK_DELETED, task.id(), null, "Max", Sentence.verbatim("gone"))));
     assertTrue(store.task(task.id()).isPresent());
+  }
+
+  @Test
+  void aTaskWhoseLoadLiesOnTheFloorIsKeptUntilThatIsTakenAway() {
+    TransportTask task = added(task("left"));
+    HistoryPruner pruner = new HistoryPruner(database.jdbi());
+    TaskPlace place = new TaskPlace(new Vec2(1, 1), null);
+    store.saveMission(
+        new Mission(task, TaskState.CANCELLED, List.of(), false, null, place, null), AT, List.of());
+
+    assertEquals(0, pruner.pruneHistory(AT.plusSeconds(1)));
+    assertTrue(store.task(task.id()).isPresent());
+    store.saveMission(
+        new Mission(task, TaskState.CANCELLED, List.of(), false, null, null, null), AT, List.of());
+
+    assertEquals(1, pruner.pruneHistory(AT.plusSeconds(1)));
+    assertEquals(Optional.empty(), store.task(task.id()));
   }
 
   @Test
