@@ -72,31 +72,32 @@ final class ChargingQueues {
     return queue(point).takeWhile(other -> other != robot).toList();
   }
 
-  /** Whether another one waits for the point that the robot is at. */
+  /** Whether another one waits for the point that the robot is at, and could come. */
   boolean isAwaitedByOthers(FloorRobot robot, Place point) {
-    return queue(point).anyMatch(other -> other != robot && !isAt(other, point));
+    return queue(point)
+        .anyMatch(other -> other != robot && !isAt(other, point) && !isKeptAway(other, point));
   }
 
   /**
    * Who has begun stays, also while it makes room for another and may come back; then who stands
    * there, as after a restart, and does not just come by; then who is nearest to empty, and of
-   * those alike who came first.
+   * those alike who came first. Those that a person keeps away come after all others.
    */
   private Stream<FloorRobot> queue(Place point) {
     return state.robots.values().stream()
         .filter(other -> hasTurnAt(other, point) && (other.isFit() || isAt(other, point)))
         .sorted(
-            Comparator.comparing((FloorRobot r) -> !hasBegun(r, point))
+            Comparator.comparing((FloorRobot r) -> isKeptAway(r, point))
+                .thenComparing(r -> !r.charging.hasBegun())
                 .thenComparing(r -> !isAt(r, point) || isGoingElsewhere(r, point))
                 .thenComparing(ChargingQueues::batteryStep)
                 .thenComparing(r -> r.charging.turn().map(Turn::since).orElseThrow())
                 .thenComparing(FloorRobot::name));
   }
 
-  /** One that a person keeps away from the point leaves it to the others. */
-  private boolean hasBegun(FloorRobot robot, Place point) {
-    boolean mayDrive = !robot.hold.isHeld() && !robot.manual.isActive();
-    return robot.charging.hasBegun() && (mayDrive || isAt(robot, point));
+  /** Whether it is on hold, or driven by hand, elsewhere. */
+  private boolean isKeptAway(FloorRobot robot, Place point) {
+    return (robot.hold.isHeld() || robot.manual.isActive()) && !isAt(robot, point);
   }
 
   private static boolean isGoingElsewhere(FloorRobot robot, Place point) {
