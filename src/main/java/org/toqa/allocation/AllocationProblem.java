@@ -63,9 +63,9 @@ public record AllocationProblem(
         now, low, high, terrain, nextWaiting, givenTasks, nextRobots, placesInUse, received);
   }
 
-  /** The same, with no robots in teams that cannot go sideways. */
-  public AllocationProblem forOmnidirectional() {
-    return withWaiting(waiting.stream().map(AllocationTask::forOmnidirectional).toList(), robots);
+  /** The same with this task alone. */
+  public AllocationProblem withTask(AllocationTask task) {
+    return withWaiting(List.of(task), robots);
   }
 
   /** All robots, those busy that these decisions give something to. */

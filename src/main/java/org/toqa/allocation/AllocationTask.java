@@ -16,7 +16,7 @@ import org.toqa.wording.Sentence;
  * @param goal where it is to go, metres, map frame
  * @param waitsFrom the moment from which its waiting counts; see {@link #waitingSince(Instant, int,
  *     Instant)}
- * @param isForOmnidirectional whether a group with robots that cannot go sideways has no room
+ * @param teams which robots a team may be of
  * @param onlyRobots names of those that may carry it; empty: whichever there are
  * @param via where it goes between start and goal, in order, metres, map frame
  * @param isForOne whether only one robot may carry it, since it charges on its way
@@ -28,7 +28,7 @@ public record AllocationTask(
     Vec2 start,
     Vec2 goal,
     Instant waitsFrom,
-    boolean isForOmnidirectional,
+    TeamLimit teams,
     List<String> onlyRobots,
     List<Vec2> via,
     boolean isForOne,
@@ -40,7 +40,7 @@ public record AllocationTask(
   }
 
   public AllocationTask(long id, double load, Vec2 start, Vec2 goal, Instant waitsFrom) {
-    this(id, load, start, goal, waitsFrom, false, List.of(), List.of(), false, null);
+    this(id, load, start, goal, waitsFrom, TeamLimit.NONE, List.of(), List.of(), false, null);
   }
 
   /** The same, that only these robots may carry; empty: whichever there are. */
@@ -55,7 +55,7 @@ public record AllocationTask(
    */
   public AllocationTask withOnlyRobots(List<String> robots, @Nullable Sentence called) {
     return new AllocationTask(
-        id, load, start, goal, waitsFrom, isForOmnidirectional, robots, via, isForOne, called);
+        id, load, start, goal, waitsFrom, teams, robots, via, isForOne, called);
   }
 
   /** What those are called that alone may carry it. */
@@ -70,7 +70,7 @@ public record AllocationTask(
    */
   public AllocationTask withStops(List<Vec2> between, boolean one) {
     return new AllocationTask(
-        id, load, start, goal, waitsFrom, isForOmnidirectional, onlyRobots, between, one, choice);
+        id, load, start, goal, waitsFrom, teams, onlyRobots, between, one, choice);
   }
 
   /** Whether a robot only goes there, with nothing to carry. */
@@ -120,24 +120,22 @@ public record AllocationTask(
         start,
         goal,
         waitsFrom,
-        isForOmnidirectional,
+        teams,
         onlyRobots,
         via,
         isForOne,
         choice);
   }
 
-  /** The same, that no team with a robot may have that cannot go sideways. */
-  public AllocationTask forOmnidirectional() {
+  /** The same, for such teams alone. */
+  public AllocationTask withTeams(TeamLimit limit) {
     return new AllocationTask(
-        id, load, start, goal, waitsFrom, true, onlyRobots, via, isForOne, choice);
+        id, load, start, goal, waitsFrom, limit, onlyRobots, via, isForOne, choice);
   }
 
   /** Whether the robot may be one of several. */
-  boolean allowsInTeam(Candidate robot) {
-    return allows(robot.robot())
-        && robot.canBeInTeam()
-        && (robot.isOmnidirectional() || !isForOmnidirectional);
+  public boolean allowsInTeam(Candidate robot) {
+    return allows(robot.robot()) && robot.canBeInTeam() && teams.allows(robot);
   }
 
   /** Seconds, at least 0. */

@@ -156,8 +156,8 @@ final class AllocationRounds {
                                     state.chosen().named(queued.task())::allows)),
                 DispatchState.TASKS_CONSIDERED)
             .stream()
-            .map(rooms::restricted)
             .map(this::restricted)
+            .map(job -> rooms.restricted(job, robotsHere))
             .toList();
     if (jobs.isEmpty()) {
       reasons.clear();
@@ -374,7 +374,12 @@ final class AllocationRounds {
     Optional<Sentence> objection =
         team != null && isTeamKnown ? team.objection() : Optional.empty();
     if (team != null && objection.isPresent()) {
-      rooms.add(mission.id(), team.question(), objection.get(), state.clock.instant());
+      rooms.add(
+          restricted(queued.job()),
+          team.question(),
+          objection.get(),
+          state.candidates(),
+          state.clock.instant());
     }
     if (isTeamKnown && objection.isEmpty() && free.containsAll(chosen)) {
       takeFromQueue(mission.id()).ifPresent(taken -> handOver(taken, chosen, why));

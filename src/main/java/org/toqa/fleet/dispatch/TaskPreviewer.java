@@ -45,10 +45,15 @@ final class TaskPreviewer {
    */
   CompletableFuture<TaskPreview> preview(
       TransportTask task, AllocationProblem problem, Instant now) {
+    return preview(task, problem, RoomLimits.NONE, now);
+  }
+
+  private CompletableFuture<TaskPreview> preview(
+      TransportTask task, AllocationProblem problem, RoomLimits room, Instant now) {
     return check
         .run(() -> new Inquiry(decider.inquire(problem, Runnable::run, now)))
         .thenCompose(Inquiry::decision)
-        .thenCompose(decision -> preview(task, problem, decision, now));
+        .thenCompose(decision -> preview(task, problem, decision, room, now));
   }
 
   /**
@@ -57,16 +62,25 @@ final class TaskPreviewer {
   private record Inquiry(CompletableFuture<Decision> decision) {}
 
   private CompletableFuture<TaskPreview> preview(
-      TransportTask task, AllocationProblem problem, Decision decision, Instant now) {
+      TransportTask task,
+      AllocationProblem problem,
+      Decision decision,
+      RoomLimits room,
+      Instant now) {
     List<String> chosen = chosen(decision);
     List<Candidate> team =
         problem.robots().stream().filter(r -> chosen.contains(r.robot())).toList();
     return objection(task, problem, team)
         .thenCompose(
-            noRoom ->
-                noRoom.isPresent() && hasDifferential(team)
-                    ? preview(task, problem.forOmnidirectional(), now)
-                    : preview(task, problem, decision, noRoom));
+            noRoom -> {
+              RoomLimits others =
+                  room.without(PathQuery.TeamQuestion.of(Mission.queued(task), team));
+              return noRoom
+                  .filter(_ -> team.size() > 1)
+                  .flatMap(_ -> others.restrict(problem.waiting().getFirst(), problem.robots()))
+                  .map(job -> preview(task, problem.withTask(job), others, now))
+                  .orElseGet(() -> preview(task, problem, decision, noRoom));
+            });
   }
 
   private CompletableFuture<TaskPreview> preview(
@@ -86,10 +100,6 @@ final class TaskPreviewer {
 
   private static List<Candidate> allowed(TransportTask task, AllocationProblem problem) {
     return problem.robots().stream().filter(robot -> task.allows(robot.robot())).toList();
-  }
-
-  private static boolean hasDifferential(List<Candidate> team) {
-    return team.size() > 1 && !team.stream().allMatch(Candidate::isOmnidirectional);
   }
 
   /** Where nobody is chosen yet, to the narrowest that there are. */
