@@ -22,7 +22,7 @@ import org.toqa.wording.Sentence;
  */
 public final class Conditions {
   private static final Set<Phrase> OF_BATTERY =
-      Set.of(Phrase.NO_WAY_TO_CHARGER, Phrase.CANNOT_REACH_CHARGER);
+      Set.of(Phrase.NO_WAY_TO_CHARGER, Phrase.CANNOT_REACH_CHARGER, Phrase.HARDLY_LASTS_FOR_LOAD);
   private static final Set<Phrase> OF_READING = Set.of(Phrase.READING_BELOW, Phrase.READING_ABOVE);
 
   private final List<Condition> found = new ArrayList<>();

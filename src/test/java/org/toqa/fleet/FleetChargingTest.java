@@ -9,6 +9,7 @@ import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.atomic.AtomicLong;
+import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -19,6 +20,7 @@ import org.toqa.geometry.Vec2;
 import org.toqa.grid.FloorMap;
 import org.toqa.grid.Place;
 import org.toqa.mission.MissionEvent;
+import org.toqa.wording.Sentence;
 
 /** Two robots with low batteries and one charging point. */
 @Timeout(60)
@@ -120,6 +122,40 @@ class FleetChargingTest {
     assertEquals("Ana", robot(latest(), "r1").work().driver());
   }
 
+  /** It had run empty without a word. */
+  @Test
+  void whoWaitsWithALoadCallsAPersonBeforeItsBatteryIsEmpty() throws Exception {
+    begin();
+    Where middle = new Where.Point(new Vec2(6.5, 2.5));
+    TaskOrder order =
+        HallFleetTest.order(1)
+            .along(
+                List.of(
+                    new StopOrder(AWAY, false, null),
+                    new StopOrder(middle, true, null),
+                    new StopOrder(AWAY, false, null)));
+    long task = accepted(stage.fleet.submit(order, "Clara")).id();
+    stage.await(view -> view.tasks().stream().anyMatch(t -> t.id() == task && t.isWaitingAtStop()));
+    assertNull(alert());
+    stage.scriptedRobot("r1").setBattery(0.2);
+    stage.pass(Duration.ofSeconds(5));
+    assertNull(alert());
+
+    stage.scriptedRobot("r1").setBattery(0.06);
+    stage.await(view -> alert() != null);
+    assertEquals(
+        "Has 6 %, which hardly lasts to deliver the load of task " + task + " and reach a charger",
+        String.valueOf(alert()));
+    accepted(stage.fleet.commandTask(task, new MissionEvent.GoOn("Clara", 1)));
+    stage.await(view -> alert() == null);
+    stage.scriptedRobot("r1").setBattery(0.005); // it needs 2 %
+    stage.await(view -> alert() != null);
+  }
+
+  private @Nullable Sentence alert() {
+    return robot(latest(), "r1").alert();
+  }
+
   /** Both have what they need, and the charger is free. */
   private void begin() throws Exception {
     stage.add("r1", HallFleetTest.WEST, "P1");
@@ -127,8 +163,7 @@ class FleetChargingTest {
     stage.restart();
     stage.scriptedRobot("r1").setBattery(0.9);
     stage.scriptedRobot("r2").setBattery(0.9);
-    stage.await(
-        view -> view.robots().stream().allMatch(robot -> robot.state() == RobotState.IDLE));
+    stage.await(view -> view.robots().stream().allMatch(robot -> robot.state() == RobotState.IDLE));
   }
 
   private FleetSnapshot latest() {

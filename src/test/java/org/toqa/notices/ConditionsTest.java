@@ -80,6 +80,10 @@ class ConditionsTest {
     assertEquals(
         "robot-battery: r1: Must charge, but finds no path to a charger",
         only(robot(RobotState.IDLE).withAlert(Phrase.NO_WAY_TO_CHARGER.with())));
+    assertEquals(
+        "robot-battery: r1: Has 4 %, which hardly lasts to deliver the load of task 7 and reach a"
+            + " charger",
+        only(robot(RobotState.IDLE).withAlert(Phrase.HARDLY_LASTS_FOR_LOAD.with(4, 7))));
   }
 
   @Test

@@ -18,6 +18,7 @@ import org.toqa.geometry.Pose;
 import org.toqa.geometry.Vec2;
 import org.toqa.grid.Place;
 import org.toqa.mission.AssignedRobot;
+import org.toqa.mission.LoadChoice;
 import org.toqa.mission.Mission;
 import org.toqa.mission.MissionEvent;
 import org.toqa.mission.Phase;
@@ -28,10 +29,10 @@ import org.toqa.wording.Sentence;
 /**
  * Lets robots charge (CMCT, "Self-recharging"): one whose battery is low, or that has worked for
  * long since it last charged, takes a turn at the charging point where it can begin soonest, and
- * waits for those that were there before. It is never taken from a load on board; before the
- * pick-up only where its battery would not last. A turn is stored before the robot moves for it.
- * Where a mission has a stop to charge at, its robot takes such a turn too, and goes on when it has
- * what was ordered.
+ * waits for those that were there before. It is never taken from a load on board, but where its
+ * battery would not last a person is called; before the pick-up only where its battery would not
+ * last. A turn is stored before the robot moves for it. Where a mission has a stop to charge at,
+ * its robot takes such a turn too, and goes on when it has what was ordered.
  */
 final class ChargingDispatcher {
   /** Another charging point is worth a change of mind if it saves so much. */
@@ -83,8 +84,7 @@ final class ChargingDispatcher {
           continueTurn(robot, turn.get());
         }
       } else if (turn.isEmpty()) {
-        chargingReason(robot)
-            .ifPresentOrElse(why -> begin(robot, why), () -> setStatus(robot, null));
+        chargingReason(robot).ifPresentOrElse(why -> begin(robot, why), () -> watchLoaded(robot));
       } else if (robot.charging.isTurnStored()) {
         continueTurn(robot, turn.get());
       }
@@ -263,6 +263,43 @@ final class ChargingDispatcher {
     };
   }
 
+  /** Calls a person where a load keeps it from charging and its battery hardly lasts. */
+  private void watchLoaded(FloorRobot robot) {
+    Double battery = robot.reported.battery();
+    Optional<Mission> unsure =
+        state
+            .missions
+            .missionOf(robot.name())
+            .filter(mission -> phase(mission, robot) == Phase.TO_GOAL)
+            .filter(
+                mission ->
+                    battery != null && robot.isFit() && isRunningLow(mission, robot, battery));
+    if (battery != null && unsure.isPresent()) {
+      askForHelp(robot, Phrase.HARDLY_LASTS_FOR_LOAD.with(percent(battery), unsure.get().id()));
+    } else {
+      setStatus(robot, null);
+    }
+  }
+
+  /**
+   * Whether it would not reach a charging point after its load is delivered; while it waits for who
+   * lets it go on, also where it would get there with less than the reserve.
+   */
+  private boolean isRunningLow(Mission mission, FloorRobot robot, double battery) {
+    boolean isWaiting = robot.hold.isHeld() || mission.waitingStop().isPresent();
+    Pose pose = robot.reported.pose();
+    if (pose == null || (!isWaiting && battery >= rules.below())) {
+      return false;
+    }
+    List<Stop> ahead =
+        mission.ending() == LoadChoice.BACK
+            ? List.of(Stop.at(mission.task().start()))
+            : mission.task().route().subList(mission.stopNumber(), mission.task().route().size());
+    double used = joulesAlong(mission, robot, pose.position(), ahead);
+    double left = battery - (Double.isFinite(used) ? used : 0) / Energy.BATTERY_JOULES;
+    return left < (isWaiting ? Energy.RESERVE : 0);
+  }
+
   /** Whether the battery lasts to the nearest charging point to which there is a path. */
   private boolean isInReach(FloorRobot robot, double battery) {
     return joulesToCharger(robot) < battery * Energy.BATTERY_JOULES;
@@ -300,20 +337,28 @@ final class ChargingDispatcher {
       return true;
     }
     Vec2 at = mission.object().position();
-    double share = state.formations.share(mission, robot.name());
-    double used = Energy.joules(queues.metres(robot, pose.position(), at), 0);
     int next = mission.task().stopAfterFirst(mission.progress());
     List<Stop> ahead = mission.task().route().stream().skip(next).toList();
-    for (Stop stop : ahead) {
+    double used =
+        Energy.joules(queues.metres(robot, pose.position(), at), 0)
+            + joulesAlong(mission, robot, at, ahead);
+    return used < battery * Energy.BATTERY_JOULES;
+  }
+
+  /** Of the way with its share of the load to the stops, until it charges at one or after them. */
+  private double joulesAlong(Mission mission, FloorRobot robot, Vec2 from, List<Stop> stops) {
+    double share = state.formations.share(mission, robot.name());
+    double used = 0;
+    Vec2 at = from;
+    for (Stop stop : stops) {
       Vec2 place = stop.place().position();
       used += Energy.joules(queues.metres(robot, at, place), share);
       at = place;
       if (stop.charge() != null) {
-        return used < battery * Energy.BATTERY_JOULES;
+        return used;
       }
     }
-    used += Energy.joules(queues.metresToCharger(robot, at), 0);
-    return used < battery * Energy.BATTERY_JOULES;
+    return used + Energy.joules(queues.metresToCharger(robot, at), 0);
   }
 
   // --- where ------------------------------------------------------------------------------------

@@ -56,7 +56,7 @@ final class ChargingState {
     return forTask;
   }
 
-  /** Why a person must help, for it cannot reach a charging point; null: nobody must. */
+  /** Why a person must help, for it may not reach a charging point; null: nobody must. */
   @Nullable Sentence alert() {
     return helpNeeded ? status : null;
   }
