@@ -1,5 +1,6 @@
 package org.toqa.fleet;
 
+import java.time.Duration;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -17,6 +18,12 @@ public record StoredRobot(
     ChargeRecord charge,
     @Nullable Double toldLoad,
     @Nullable LastPlace place) {
+
+  /** Of one that was just added: it is in service, and has not been connected. */
+  public static StoredRobot added(RobotRecord record) {
+    return new StoredRobot(
+        record, false, false, new ChargeRecord(record.name(), Duration.ZERO, null), null, null);
+  }
 
   public String name() {
     return record.name();

@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.fail;
 
 import java.time.Duration;
 import java.time.Instant;
+import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -42,6 +43,7 @@ public final class FleetStage implements AutoCloseable {
   private static final String STORE = "store-";
 
   private final FloorMap floor;
+  private final List<FloorMap> floors = new ArrayList<>();
   private final ChargingRules charging;
   private final AllocationMethod method;
   private final UnaryOperator<FleetStore> tamper;
@@ -78,6 +80,7 @@ public final class FleetStage implements AutoCloseable {
       AllocationMethod method,
       UnaryOperator<FleetStore> tamper) {
     this.floor = floor;
+    floors.add(floor);
     this.charging = charging;
     this.method = method;
     this.tamper = tamper;
@@ -88,6 +91,11 @@ public final class FleetStage implements AutoCloseable {
   public void restart() {
     fleet.close();
     fleet = open();
+  }
+
+  /** To be known after the next start, as all others; robots are added to the first one. */
+  void addFloor(FloorMap next) {
+    floors.add(next);
   }
 
   /** To be known after the next start. */
@@ -148,7 +156,7 @@ public final class FleetStage implements AutoCloseable {
         };
     AgentFleet opened =
         new AgentFleet(
-            FloorsInMemory.of(floor),
+            FloorsInMemory.of(floors.toArray(FloorMap[]::new)),
             watched(tamper.apply(store)),
             new JdbiScheduleStore(database.jdbi()),
             links,

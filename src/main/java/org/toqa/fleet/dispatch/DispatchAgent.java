@@ -224,6 +224,7 @@ final class DispatchAgent extends AbstractBehavior<DispatchMessage> {
               m.replyTo(),
               new FloorMessage.RemoveRobot(m.robot(), m.move(), m.user(), m.replyTo()));
       case DispatchMessage.TakeRobot m -> robotCommands.takeRobot(m);
+      case DispatchMessage.RobotTaken m -> robotCommands.robotTaken(m);
       case DispatchMessage.LocateRobot m -> robotCommands.locateRobot(m);
       case DispatchMessage.SetInService m -> robotCommands.setInService(m);
       case DispatchMessage.HoldRobot m -> robotCommands.holdRobot(m);

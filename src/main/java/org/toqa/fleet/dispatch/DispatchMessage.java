@@ -28,6 +28,7 @@ import org.toqa.fleet.RobotMove;
 import org.toqa.fleet.RobotOrder;
 import org.toqa.fleet.RobotRecord;
 import org.toqa.fleet.RobotView;
+import org.toqa.fleet.StoredRobot;
 import org.toqa.fleet.TaskOrder;
 import org.toqa.fleet.TaskPreview;
 import org.toqa.fleet.TaskView;
@@ -176,6 +177,13 @@ public sealed interface DispatchMessage {
   /** A robot has been moved here, out of service, and that is safe. */
   record TakeRobot(RobotRecord robot, ActorRef<StatusReply<Answer<RobotView>>> replyTo)
       implements DispatchMessage {}
+
+  /**
+   * What is stored of a robot that has been moved here.
+   *
+   * @param stored null: there is none any more
+   */
+  record RobotTaken(TakeRobot request, @Nullable StoredRobot stored) implements DispatchMessage {}
 
   /** What a robot has become is safe: it is paired, or has another address or strength. */
   record RobotChanged(RobotRecord robot, ActorRef<StatusReply<Answer<RobotView>>> replyTo)

@@ -1,6 +1,5 @@
 package org.toqa.fleet.dispatch;
 
-import java.time.Duration;
 import java.time.Instant;
 import java.time.InstantSource;
 import java.util.List;
@@ -13,7 +12,6 @@ import org.apache.pekko.actor.typed.ActorRef;
 import org.apache.pekko.actor.typed.ActorSystem;
 import org.apache.pekko.actor.typed.Behavior;
 import org.apache.pekko.actor.typed.javadsl.Behaviors;
-import org.toqa.fleet.ChargeRecord;
 import org.toqa.fleet.FleetRules;
 import org.toqa.fleet.FleetRuntime;
 import org.toqa.fleet.FleetStore;
@@ -69,11 +67,7 @@ public final class FloorSystem implements AutoCloseable {
     this.runtime = runtime;
     StoredFloorState memory =
         new StoredFloorState(
-            robots.stream().map(FloorSystem::unusedRobot).toList(),
-            null,
-            null,
-            List.of(),
-            List.of());
+            robots.stream().map(StoredRobot::added).toList(), null, null, List.of(), List.of());
     Behavior<FloorEvent> manager =
         Behaviors.setup(
             context -> {
@@ -101,11 +95,6 @@ public final class FloorSystem implements AutoCloseable {
       system.terminate();
       throw new IllegalStateException(String.valueOf(e.getMessage()), e);
     }
-  }
-
-  private static StoredRobot unusedRobot(RobotRecord robot) {
-    return new StoredRobot(
-        robot, false, false, new ChargeRecord(robot.name(), Duration.ZERO, null), null, null);
   }
 
   /** Lets the agents do what is due by then, about ten times a second. */

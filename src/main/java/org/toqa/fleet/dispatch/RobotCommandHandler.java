@@ -11,6 +11,7 @@ import org.toqa.fleet.EventKind;
 import org.toqa.fleet.PairingOrder;
 import org.toqa.fleet.RobotRecord;
 import org.toqa.fleet.RobotView;
+import org.toqa.fleet.StoredRobot;
 import org.toqa.fleet.floor.FloorEvent;
 import org.toqa.fleet.floor.FloorMessage;
 import org.toqa.fleet.floor.FloorState;
@@ -161,7 +162,11 @@ final class RobotCommandHandler {
         stored -> self.tell(new DispatchMessage.RobotChanged(stored, replyTo)),
         () ->
             registrar.reread(
-                robot, stored -> self.tell(new DispatchMessage.RobotReread(robot, stored))));
+                robot,
+                stored ->
+                    self.tell(
+                        new DispatchMessage.RobotReread(
+                            robot, stored == null ? null : stored.record()))));
   }
 
   void robotReread(DispatchMessage.RobotReread m) {
@@ -189,12 +194,28 @@ final class RobotCommandHandler {
   void robotStored(DispatchMessage.RobotStored m) {
     joining.remove(m.robot().name());
     state.robots.put(m.robot().name(), m.robot());
-    state.floorAgent.tell(new FloorMessage.AddRobot(m.robot(), true, m.replyTo()));
+    state.floorAgent.tell(new FloorMessage.AddRobot(StoredRobot.added(m.robot()), m.replyTo()));
   }
 
+  /** It comes as it would after a restart: what people have said of it stays. */
   void takeRobot(DispatchMessage.TakeRobot m) {
-    state.robots.put(m.robot().name(), m.robot());
-    state.floorAgent.tell(new FloorMessage.AddRobot(m.robot(), false, m.replyTo()));
+    String robot = m.robot().name();
+    state.robots.put(robot, m.robot());
+    joining.add(robot);
+    registrar.reread(robot, stored -> self.tell(new DispatchMessage.RobotTaken(m, stored)));
+  }
+
+  void robotTaken(DispatchMessage.RobotTaken m) {
+    String robot = m.request().robot().name();
+    StoredRobot stored = m.stored();
+    if (stored == null) {
+      robotNotStored(robot);
+      m.request().replyTo().tell(StatusReply.success(FloorState.unknownRobot(robot)));
+      return;
+    }
+    joining.remove(robot);
+    state.robots.put(robot, stored.record());
+    state.floorAgent.tell(new FloorMessage.AddRobot(stored, m.request().replyTo()));
   }
 
   /** Whoever asked for the robot finds it in the snapshot. */

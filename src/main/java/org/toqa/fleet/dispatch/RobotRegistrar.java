@@ -15,6 +15,7 @@ import org.toqa.fleet.FleetStore;
 import org.toqa.fleet.RobotRecord;
 import org.toqa.fleet.RobotView;
 import org.toqa.fleet.StoreWriter;
+import org.toqa.fleet.StoredRobot;
 import org.toqa.link.PairingResult;
 import org.toqa.link.RobotLinkFactory;
 import org.toqa.link.trust.Fingerprint;
@@ -148,13 +149,13 @@ final class RobotRegistrar {
    *
    * @param found gets null where there is none
    */
-  void reread(String robot, Consumer<@Nullable RobotRecord> found) {
-    AtomicReference<@Nullable RobotRecord> stored = new AtomicReference<>();
+  void reread(String robot, Consumer<@Nullable StoredRobot> found) {
+    AtomicReference<@Nullable StoredRobot> stored = new AtomicReference<>();
     writer.write(
         () ->
             stored.set(
-                store.robots().stream()
-                    .filter(record -> record.name().equals(robot))
+                store.storedRobots().stream()
+                    .filter(known -> known.name().equals(robot))
                     .findFirst()
                     .orElse(null)),
         () -> found.accept(stored.get()));

@@ -138,9 +138,7 @@ public final class FloorAgent extends AbstractBehavior<FloorMessage> {
     robotEvents = context.messageAdapter(RobotEvent.class, FloorMessage.FromRobot::new);
     drives = new DriveDispatcher(state, missions, arms);
     manualDrives = new ManualDriveHandler(state, reports, drives);
-    for (StoredRobot stored : memory.robots()) {
-      startRobot(stored.record(), new OperatorSettings(!stored.outOfService(), stored.held()));
-    }
+    memory.robots().forEach(this::startRobot);
     memory.robots().forEach(stored -> charging.recover(stored.charge()));
     memory.leftLoads().forEach(ended -> state.leftLoads.update(ended.mission(), ended.changedAt()));
     memory.robots().forEach(robotEventHandler::recoverReport); // places of groups follow from it
@@ -201,7 +199,7 @@ public final class FloorAgent extends AbstractBehavior<FloorMessage> {
   }
 
   private void addRobot(FloorMessage.AddRobot m) {
-    FloorRobot robot = startRobot(m.robot(), new OperatorSettings(m.inService(), false));
+    FloorRobot robot = startRobot(m.robot());
     reports.send();
     manager.tell(new FloorEvent.RobotJoined(reports.view(robot), m.replyTo()));
   }
@@ -220,7 +218,8 @@ public final class FloorAgent extends AbstractBehavior<FloorMessage> {
     manager.tell(new FloorEvent.RobotRemoved(reports.view(robot), m.command().replyTo()));
   }
 
-  private FloorRobot startRobot(RobotRecord record, OperatorSettings settings) {
+  private FloorRobot startRobot(StoredRobot stored) {
+    RobotRecord record = stored.record();
     AgentHealth health = AgentHealth.of(getContext().getSystem());
     health.expectStart();
     ActorRef<RobotMessage> agent =
@@ -238,7 +237,12 @@ public final class FloorAgent extends AbstractBehavior<FloorMessage> {
                         state.runtime)),
                 "robot-" + ++joined);
     FloorRobot robot =
-        new FloorRobot(record, settings, agent, new StoreLimit(health, () -> state.now), state.now);
+        new FloorRobot(
+            record,
+            new OperatorSettings(!stored.outOfService(), stored.held()),
+            agent,
+            new StoreLimit(health, () -> state.now),
+            state.now);
     state.robots.put(record.name(), robot);
     state.changed = true;
     return robot;

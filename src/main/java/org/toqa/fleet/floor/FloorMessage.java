@@ -17,6 +17,7 @@ import org.toqa.fleet.ManualOrder;
 import org.toqa.fleet.RobotMove;
 import org.toqa.fleet.RobotRecord;
 import org.toqa.fleet.RobotView;
+import org.toqa.fleet.StoredRobot;
 import org.toqa.fleet.TaskView;
 import org.toqa.fleet.robot.RobotEvent;
 import org.toqa.geometry.Pose;
@@ -129,8 +130,8 @@ public sealed interface FloorMessage {
       String robot, UUID lease, String user, ActorRef<StatusReply<Answer<RobotView>>> replyTo)
       implements FloorMessage, ControlMessage {}
 
-  record AddRobot(
-      RobotRecord robot, boolean inService, ActorRef<StatusReply<Answer<RobotView>>> replyTo)
+  /** A robot was added, or moved here from another floor. */
+  record AddRobot(StoredRobot robot, ActorRef<StatusReply<Answer<RobotView>>> replyTo)
       implements FloorMessage {}
 
   /**
