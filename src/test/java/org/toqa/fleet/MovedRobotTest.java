@@ -1,6 +1,7 @@
 package org.toqa.fleet;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertNotNull;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.time.Duration;
@@ -31,7 +32,7 @@ class MovedRobotTest extends HallFleetTest {
     until(_ -> scriptedRobot("r2").isHeld());
     accepted(stage.fleet.takeOutOfService("r2", "Max"));
 
-    move("r2");
+    move("r2", THERE);
     until(_ -> isOnTheOtherFloor("r2") && moved("r2").telemetry().lastSeen() != null);
     accepted(stage.fleet.putInService("r2", "Max"));
     until(_ -> moved("r2").state() == RobotState.HOLDING);
@@ -44,13 +45,30 @@ class MovedRobotTest extends HallFleetTest {
     until(_ -> !scriptedRobot("r2").isHeld());
   }
 
-  /** Nobody waits for the answer: it comes when the robot is told where it stands. */
-  private void move(String robot) {
-    var _ = stage.fleet.moveRobot(robot, new RobotMove(ATTIC, pose()), "Max");
+  @Test
+  void whoIsNotHeardHasItsPlaceOnTheOtherFloor() throws Exception {
+    accepted(stage.fleet.takeOutOfService("r1", "Max"));
+    move("r1", THERE);
+    until(_ -> scriptedRobot("r1").position().equals(THERE));
+    accepted(stage.fleet.putInService("r1", "Max"));
+    accepted(stage.fleet.takeOutOfService("r2", "Max"));
+    scriptedRobot("r2").loseConnection();
+
+    move("r2", DOOR);
+    until(_ -> isOnTheOtherFloor("r2"));
+
+    Pose pose = moved("r2").telemetry().pose();
+    assertNotNull(pose);
+    assertEquals(DOOR, pose.position());
+    assertEquals(ScriptedRobot.FOOTPRINT, moved("r2").capabilities().footprint());
+    accepted(stage.fleet.sendTo("r1", WEST));
+    until(_ -> moved("r1").work().doing().english().startsWith("Waiting for r2"));
   }
 
-  private static Pose pose() {
-    return new Pose(THERE.x(), THERE.y(), 0);
+  /** Nobody waits for the answer: it comes when the robot is told where it stands. */
+  private void move(String robot, Vec2 place) {
+    Pose pose = new Pose(place.x(), place.y(), 0);
+    var _ = stage.fleet.moveRobot(robot, new RobotMove(ATTIC, pose), "Max");
   }
 
   private boolean isOnTheOtherFloor(String robot) {

@@ -200,6 +200,9 @@ public final class FloorAgent extends AbstractBehavior<FloorMessage> {
 
   private void addRobot(FloorMessage.AddRobot m) {
     FloorRobot robot = startRobot(m.robot());
+    charging.recover(m.robot().charge());
+    robotEventHandler.recoverReport(m.robot());
+    robotEventHandler.recoverPlace(m.robot());
     reports.send();
     manager.tell(new FloorEvent.RobotJoined(reports.view(robot), m.replyTo()));
   }
