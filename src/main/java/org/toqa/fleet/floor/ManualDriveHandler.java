@@ -31,6 +31,12 @@ final class ManualDriveHandler {
   /** The robot stands long before: then it is anybody's again. */
   static final Duration LAPSES_AFTER = Duration.ofSeconds(10);
 
+  /**
+   * The robot stands by then, unless its step waits for the store: that shall not move it when the
+   * store answers and nobody is there any more.
+   */
+  private static final Duration STANDS_WITHIN = Duration.ofMillis(500);
+
   /** Seconds of driving that a robot has which stands: it has still to speed up. */
   private static final double AHEAD_FROM_STANDING = 0.2;
 
@@ -227,6 +233,8 @@ final class ManualDriveHandler {
           Phrase.MANUAL_DRIVE_BROKEN_OFF.with(session.user(), robot.name(), objection));
     } else if (!session.isReady()) {
       awaitStanding(robot, session);
+    } else if (session.heardAt().plus(STANDS_WITHIN).isBefore(state.now)) {
+      stop(robot);
     }
   }
 
