@@ -270,7 +270,7 @@ public final class JdbiAccountStore implements AccountStore {
   }
 
   private <T> T change(long id, Function<Handle, T> change) {
-    T result = sql.inTransaction(change::apply);
+    T result = sql.inTransaction(change);
     lastKnown.forget(id);
     return result;
   }
