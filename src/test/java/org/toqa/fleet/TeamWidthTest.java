@@ -26,17 +26,19 @@ class TeamWidthTest extends HallFleetTest {
     accepted(stage.fleet.holdRobot("r1", "Max"));
     until(view -> robot(view, "r1").state() == RobotState.HOLDING);
 
-    long task =
-        submit(
-            new TaskOrder(
-                "plate",
-                8,
-                new Where.Point(new Vec2(5.5, 1.5)), // beside the door
-                new Where.Point(new Vec2(12.5, 1.5)),
-                null,
-                0,
-                null,
-                null));
+    TaskOrder order =
+        new TaskOrder(
+            "plate",
+            8,
+            new Where.Point(new Vec2(5.5, 1.5)), // beside the door
+            new Where.Point(new Vec2(12.5, 1.5)),
+            null,
+            0,
+            null,
+            null);
+    assertEquals(
+        Phrase.NEEDS_TEAM, accepted(stage.fleet.preview(order, "Clara")).reason().phrase());
+    long task = submit(order);
     until(
         view -> {
           var why = task(view, task).waitingFor();
