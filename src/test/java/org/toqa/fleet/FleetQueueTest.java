@@ -5,12 +5,14 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertInstanceOf;
 import static org.junit.jupiter.api.Assertions.assertNull;
 
+import java.time.Duration;
 import java.time.InstantSource;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.Test;
 import org.toqa.accounts.Role;
 import org.toqa.fleet.TaskOrder.Where;
+import org.toqa.geometry.Vec2;
 import org.toqa.mission.MissionEvent;
 import org.toqa.mission.TaskState;
 import org.toqa.store.JdbiAccountStore;
@@ -18,6 +20,43 @@ import org.toqa.store.LastKnownUsers;
 
 /** Tasks that wait for robots: why, and in which order. */
 class FleetQueueTest extends HallFleetTest {
+  @Test
+  void aTeamThatHadNoRoomIsAskedAgainAfterAMinuteWhateverTheClockIsSetTo() throws Exception {
+    stage.add("r2", new Vec2(8.5, 1.5), null);
+    reopenWith("r3", new Vec2(11.5, 1.5), null);
+    until(view -> view.robots().stream().allMatch(r -> r.state() == RobotState.IDLE));
+    accepted(stage.fleet.takeOutOfService("r1", "Max"));
+    accepted(stage.fleet.takeOutOfService("r2", "Max"));
+    long task =
+        submit(
+            new TaskOrder(
+                "plate",
+                8,
+                new Where.Point(new Vec2(5.5, 1.5)),
+                new Where.Point(new Vec2(12.5, 1.5)),
+                null,
+                0,
+                null,
+                null));
+    setFootprints(1.2);
+    accepted(stage.fleet.putInService("r2", "Max"));
+    until(view -> waitReason(view, task).contains("no room"));
+
+    stage.setClock(Duration.ofHours(-2));
+    setFootprints(ScriptedRobot.FOOTPRINT);
+
+    until(view -> task(view, task).state() == TaskState.TO_OBJECT);
+  }
+
+  /** Of both that carry it, with which they connect anew. */
+  private void setFootprints(double diameter) {
+    for (String name : List.of("r2", "r3")) {
+      scriptedRobot(name).setFootprint(diameter);
+      scriptedRobot(name).loseConnection();
+      scriptedRobot(name).speakAgain();
+    }
+  }
+
   @Test
   void aLoadTooHeavyForOneWaitsAndSaysWhatItNeeds() throws Exception {
     submitForTwoOfWhichOneIsBroken();

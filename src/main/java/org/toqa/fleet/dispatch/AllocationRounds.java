@@ -124,7 +124,7 @@ final class AllocationRounds {
   /** What was said of them is said until the next round is over. */
   private void retryTeams() {
     rooms
-        .takeDue(state.clock.instant())
+        .takeDue(state.now)
         .forEach((task, why) -> state.queue.get(task).ifPresent(queued -> tryAgain(queued, why)));
   }
 
@@ -379,7 +379,7 @@ final class AllocationRounds {
           team.question(),
           objection.get(),
           state.candidates(),
-          state.clock.instant());
+          state.now);
     }
     if (isTeamKnown && objection.isEmpty() && free.containsAll(chosen)) {
       takeFromQueue(mission.id()).ifPresent(taken -> handOver(taken, chosen, why));
