@@ -99,7 +99,8 @@ public interface FleetStore {
   void removeRobot(String robot, List<EventRecord> events);
 
   /**
-   * The robot belongs to another floor from now on, and has no parking point there.
+   * The robot belongs to another floor from now on, has no parking point there, and does not know
+   * where it is until {@link #saveLocated}.
    *
    * @param move where it stands
    * @param diameter of the disc that it fills, metres
@@ -125,6 +126,9 @@ public interface FleetStore {
    * @param kilograms that the robot says it carries
    */
   void saveToldLoad(String robot, double kilograms);
+
+  /** The robot was carried to its floor, and knows now where it stands there. */
+  void saveLocated(String robot);
 
   void saveHold(String robot, boolean held, List<EventRecord> events);
 

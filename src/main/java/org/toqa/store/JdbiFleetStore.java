@@ -34,6 +34,7 @@ import org.toqa.motion.Segment;
 public final class JdbiFleetStore implements FleetStore, TaskArchive {
   private static final String OUT_OF_SERVICE = "out_of_service";
   private static final String HELD = "held";
+  private static final String CARRIED = "carried";
 
   private final SqlExecutor sql;
 
@@ -108,6 +109,11 @@ public final class JdbiFleetStore implements FleetStore, TaskArchive {
   @Override
   public void savePlace(String robot, Pose pose, double diameter, long drive) {
     sql.inTransaction(h -> RobotTable.savePlace(h, robot, pose, diameter, drive));
+  }
+
+  @Override
+  public void saveLocated(String robot) {
+    change(h -> RobotTable.saveFlag(h, CARRIED, robot, false), List.of());
   }
 
   @Override

@@ -33,7 +33,7 @@ final class RobotTable {
     return h.createQuery(
             """
             select id, name, floor, host, port, max_load, parking, simulated, fingerprint, gateway, token,
-              out_of_service, held, worked_s, charger, charger_since, told_load,
+              out_of_service, held, carried, worked_s, charger, charger_since, told_load,
               p.x, p.y, p.theta, p.diameter,
               case when p.robot_id is null or d.seq > p.drive then d.way end as begun,
               d.room_from, d.room_to, d.room_left, d.room_right,
@@ -92,7 +92,7 @@ final class RobotTable {
   static void remove(Handle h, String robot) {
     h.createUpdate(
             """
-            update robots set removed = true, out_of_service = true, held = false,
+            update robots set removed = true, out_of_service = true, held = false, carried = false,
               parking = null, told_load = null, charger = null, charger_since = null, worked_s = 0
             where id = :id
             """)
@@ -105,7 +105,10 @@ final class RobotTable {
 
   static void move(Handle h, String robot, RobotMove move, double diameter) {
     h.createUpdate(
-            "update robots set floor = :floor, parking = null, charger = null where id = :id")
+            """
+            update robots set floor = :floor, parking = null, charger = null, carried = true
+            where id = :id
+            """)
         .bind("floor", move.floor())
         .bind("id", id(h, robot))
         .execute();
@@ -134,6 +137,7 @@ final class RobotTable {
       @Nested RobotRecord robot,
       boolean outOfService,
       boolean held,
+      boolean carried,
       double workedS,
       @Nullable String charger,
       @Nullable Instant chargerSince,
@@ -158,6 +162,7 @@ final class RobotTable {
           robot,
           outOfService,
           held,
+          carried,
           new ChargeRecord(robot.name(), worked, turn),
           toldLoad,
           place(ends));

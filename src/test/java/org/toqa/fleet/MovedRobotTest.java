@@ -11,6 +11,7 @@ import org.junit.jupiter.api.Test;
 import org.toqa.geometry.Pose;
 import org.toqa.geometry.Vec2;
 import org.toqa.grid.FloorMap;
+import org.toqa.link.message.ServerMessage.Locate;
 import org.toqa.link.message.ServerMessage.Resume;
 import org.toqa.wording.Phrase;
 
@@ -33,7 +34,7 @@ class MovedRobotTest extends HallFleetTest {
     accepted(stage.fleet.takeOutOfService("r2", "Max"));
 
     move("r2", THERE);
-    until(_ -> isOnTheOtherFloor("r2") && moved("r2").telemetry().lastSeen() != null);
+    until(_ -> moved("r2").telemetry().lastSeen() != null);
     accepted(stage.fleet.putInService("r2", "Max"));
     until(_ -> moved("r2").state() == RobotState.HOLDING);
     stage.pass(Duration.ofSeconds(2));
@@ -49,26 +50,65 @@ class MovedRobotTest extends HallFleetTest {
   void whoIsNotHeardHasItsPlaceOnTheOtherFloor() throws Exception {
     accepted(stage.fleet.takeOutOfService("r1", "Max"));
     move("r1", THERE);
-    until(_ -> scriptedRobot("r1").position().equals(THERE));
     accepted(stage.fleet.putInService("r1", "Max"));
+    until(_ -> moved("r1").state() == RobotState.IDLE);
+    assertEquals(THERE, scriptedRobot("r1").position());
     accepted(stage.fleet.takeOutOfService("r2", "Max"));
     scriptedRobot("r2").loseConnection();
 
     move("r2", DOOR);
-    until(_ -> isOnTheOtherFloor("r2"));
 
-    Pose pose = moved("r2").telemetry().pose();
-    assertNotNull(pose);
-    assertEquals(DOOR, pose.position());
+    assertEquals(DOOR, place());
     assertEquals(ScriptedRobot.FOOTPRINT, moved("r2").capabilities().footprint());
     accepted(stage.fleet.sendTo("r1", WEST));
     until(_ -> moved("r1").work().doing().english().startsWith("Waiting for r2"));
   }
 
-  /** Nobody waits for the answer: it comes when the robot is told where it stands. */
-  private void move(String robot, Vec2 place) {
+  /** Its link was away while it was carried: it takes the old floor for the place where it is. */
+  @Test
+  void whatItSaysInTheFrameOfTheOldFloorIsNotBelieved() throws Exception {
+    accepted(stage.fleet.takeOutOfService("r2", "Max"));
+    scriptedRobot("r2").loseConnection();
+    until(view -> robot(view, "r2").unreachable() != null);
+    move("r2", DOOR);
+    scriptedRobot("r2").refuse(Locate.class::isInstance);
+
+    scriptedRobot("r2").speakAgain();
+    until(_ -> moved("r2").telemetry().lastSeen() != null);
+    accepted(stage.fleet.putInService("r2", "Max"));
+    stage.pass(Duration.ofSeconds(5));
+
+    assertNotLocated();
+    stage.restart();
+    until(_ -> isOnTheOtherFloor("r2") && moved("r2").state() == RobotState.NOT_LOCALISED);
+    stage.pass(Duration.ofSeconds(30));
+    assertNotLocated();
+    scriptedRobot("r2").refuse(_ -> false);
+    until(_ -> moved("r2").state() == RobotState.IDLE);
+    assertEquals(DOOR, place());
+    assertEquals(DOOR, scriptedRobot("r2").position());
+    until(_ -> stage.store.storedRobots().stream().noneMatch(StoredRobot::carried));
+  }
+
+  private void assertNotLocated() {
+    assertEquals(RobotState.NOT_LOCALISED, moved("r2").state());
+    assertEquals(DOOR, place());
+    assertEquals(EAST, scriptedRobot("r2").position());
+    LastPlace stored = stage.store.storedRobots().getLast().place();
+    assertNotNull(stored);
+    assertEquals(DOOR, stored.pose().position());
+  }
+
+  private void move(String robot, Vec2 place) throws Exception {
     Pose pose = new Pose(place.x(), place.y(), 0);
-    var _ = stage.fleet.moveRobot(robot, new RobotMove(ATTIC, pose), "Max");
+    accepted(stage.fleet.moveRobot(robot, new RobotMove(ATTIC, pose), "Max"));
+  }
+
+  /** Of r2, as the server has it. */
+  private Vec2 place() {
+    Pose pose = moved("r2").telemetry().pose();
+    assertNotNull(pose);
+    return pose.position();
   }
 
   private boolean isOnTheOtherFloor(String robot) {

@@ -27,6 +27,7 @@ import org.toqa.fleet.FleetStore.StoredDrive;
 import org.toqa.fleet.Hold;
 import org.toqa.fleet.LastPlace;
 import org.toqa.fleet.RobotChange;
+import org.toqa.fleet.RobotMove;
 import org.toqa.fleet.RobotRecord;
 import org.toqa.fleet.StoredRobot;
 import org.toqa.geometry.Pose;
@@ -164,6 +165,27 @@ class RobotStoreTest extends FleetDatabaseTest {
     store.saveGone("r1", List.of());
     assertNull(place());
     assertEquals(Set.of("r1"), robots(StoredRobot::outOfService));
+  }
+
+  @Test
+  void aRobotThatWasCarriedStandsWhereAPersonSaidUntilItKnowsThat() {
+    store.saveRobot(R1);
+    store.saveHold("r1", true, List.of());
+    assertEquals(Set.of(), robots(StoredRobot::carried));
+    Pose pose = new Pose(1.5, 2.5, 0.25);
+
+    store.moveRobot("r1", new RobotMove("attic", pose), 0.3, List.of());
+
+    assertEquals(List.of(R1.movedTo("attic")), store.robots());
+    assertEquals(LastPlace.standing(pose, 0.3), place());
+    assertEquals(Set.of("r1"), robots(StoredRobot::held));
+    assertEquals(Set.of("r1"), robots(StoredRobot::carried));
+    store.saveLocated("r1");
+    assertEquals(Set.of(), robots(StoredRobot::carried));
+    store.moveRobot("r1", new RobotMove("hall", pose), 0.3, List.of());
+    store.removeRobot("r1", List.of());
+    store.saveRobot(R1);
+    assertEquals(Set.of(), robots(StoredRobot::carried), "nobody knows of it any more");
   }
 
   private @Nullable LastPlace place() {

@@ -99,6 +99,9 @@ final class ForgetfulStore implements FleetStore {
   public void savePlace(String robot, Pose pose, double diameter, long drive) {}
 
   @Override
+  public void saveLocated(String robot) {}
+
+  @Override
   public void saveHold(String robot, boolean held, List<EventRecord> events) {}
 
   @Override

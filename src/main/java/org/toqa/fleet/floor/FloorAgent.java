@@ -257,6 +257,7 @@ public final class FloorAgent extends AbstractBehavior<FloorMessage> {
     state.formations.updateTraffic();
     for (FloorRobot robot : state.robots.values()) {
       robotEventHandler.updateStoreLimit(robot);
+      robotEventHandler.locateCarried(robot);
       robot.obedience.update(time);
       missions.checkRobot(robot);
       holds.updateHold(robot);

@@ -76,6 +76,9 @@ final class FloorRobot {
   /** That it stands as a leader for followers that follow. */
   final ConditionTimer separated = new ConditionTimer();
 
+  /** When it was told last where it is. */
+  Instant locatedAt = Instant.MIN;
+
   /** While it leads a group, not all of which follow it. */
   final ConditionTimer unfollowed = new ConditionTimer();
 

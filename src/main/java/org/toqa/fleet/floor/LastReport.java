@@ -67,14 +67,18 @@ record LastReport(
     errors = List.copyOf(errors);
   }
 
-  /** A pose that the robot does not know itself is in no frame that anybody knows. */
-  LastReport with(AgentMessage.State state, Instant now) {
+  /**
+   * A pose that the robot does not know itself is in no frame that anybody knows.
+   *
+   * @param isLocalised whether it says that it knows where it is, and may be believed
+   */
+  LastReport with(AgentMessage.State state, boolean isLocalised, Instant now) {
     boolean moves =
         Math.hypot(state.twist().v(), state.twist().u()) > STANDING_SPEED
             || Math.abs(state.twist().w()) > STANDING_TURN;
     return new LastReport(
-        state.localised(),
-        state.localised() ? state.pose() : pose,
+        isLocalised,
+        isLocalised ? state.pose() : pose,
         state.battery(),
         Readings.of(state),
         state.mode(),
@@ -87,10 +91,10 @@ record LastReport(
   }
 
   /** The same; what a hello does not tell stays as it was. */
-  LastReport with(Hello hello, Instant now) {
+  LastReport with(Hello hello, boolean isLocalised, Instant now) {
     return new LastReport(
-        hello.localised(),
-        hello.localised() ? hello.pose() : pose,
+        isLocalised,
+        isLocalised ? hello.pose() : pose,
         battery,
         Readings.NONE,
         hello.mode(),

@@ -144,7 +144,7 @@ final class OperatorCommandHandler {
     if (other.isPresent()) {
       return new Answer.Rejected<>("x", Phrase.LOCATE_TAKEN.with(other.get().name()));
     }
-    robot.agent.tell(new RobotMessage.Locate(m.pose()));
+    robotEvents.locate(robot, m.pose());
     Sentence text = Phrase.ROBOT_LOCATED.with(m.user(), m.robot());
     state.addToHistory(
         new EventRecord(

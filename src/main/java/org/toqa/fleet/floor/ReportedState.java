@@ -21,6 +21,7 @@ final class ReportedState {
   private @Nullable Sentence unreachable;
   private @Nullable CommandRejected rejectedChange;
   private Instant refusalNotedAt = Instant.MIN;
+  private boolean carried;
 
   /**
    * @param now since when it is not heard
@@ -92,9 +93,18 @@ final class ReportedState {
     return refusalNotedAt;
   }
 
+  /** Whether the place that it says is of the floor that it was carried away from. */
+  boolean isCarried() {
+    return carried;
+  }
+
+  void setCarried(boolean isSo) {
+    carried = isSo;
+  }
+
   void connected(Hello hello, Instant now) {
     contact = new Contact.Heard();
-    report = report.with(hello, now);
+    report = report.with(hello, hello.localised() && !carried, now);
     capabilities =
         new RobotCapabilities(
             hello.footprint(),
@@ -126,7 +136,7 @@ final class ReportedState {
 
   void setReport(AgentMessage.State state, Instant now) {
     setHeardAgain();
-    report = report.with(state, now);
+    report = report.with(state, state.localised() && !carried, now);
   }
 
   void setHeardAgain() {

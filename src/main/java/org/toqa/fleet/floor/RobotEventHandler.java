@@ -30,6 +30,8 @@ final class RobotEventHandler {
   private static final Duration RETRY_AFTER = Duration.ofSeconds(1);
   private static final Duration REFUSALS_INTERVAL = Duration.ofMinutes(5);
 
+  private static final Duration LOCATE_AGAIN_AFTER = Duration.ofSeconds(10);
+
   /** Metres; a robot that stands and drifts by less is where it was. */
   private static final double SAME_PLACE = 0.02;
 
@@ -82,6 +84,7 @@ final class RobotEventHandler {
       case RobotEvent.DriveBegun m -> driveBegun(robot, m.drive());
       case RobotEvent.DriveWithdrawn m -> driveWithdrawn(robot, m.drive());
       case RobotEvent.DriveAccepted m -> driveAccepted(robot, m.drive());
+      case RobotEvent.Located _ -> located(robot);
       case RobotEvent.RoomTaken _ -> rooms.taken(robot);
       case RobotEvent.RoomRefused _ -> rooms.refused(robot);
       case RobotEvent.CommandRejected m -> commandRejected(robot, m);
@@ -101,6 +104,7 @@ final class RobotEventHandler {
     if (robot == null) {
       return;
     }
+    robot.reported.setCarried(stored.carried());
     Double toldLoad = stored.toldLoad();
     if (toldLoad != null) {
       robot.reported.recover(toldLoad);
@@ -178,7 +182,9 @@ final class RobotEventHandler {
     if (!state.formations.isCoveredByLeader(robot.name())) {
       reportStanding(robot);
       state.formations.updateTraffic();
-      if (drive.isPresent() && hello.localised() && hello.role() != Role.FOLLOWER) {
+      if (drive.isPresent()
+          && robot.reported.report().localised()
+          && hello.role() != Role.FOLLOWER) {
         resumeDriveInTraffic(robot, drive.get(), hello.pose(), hello.segment(), hello.released());
         rooms.connected(robot, hello);
       }
@@ -186,6 +192,7 @@ final class RobotEventHandler {
     if (hello.drive() == 0) {
       storePlace(robot);
     }
+    robot.locatedAt = Instant.MIN;
     robot.arm.reconnect(hello.act());
     if (hello.done() != null) {
       phaseEnded(robot, hello.done());
@@ -195,6 +202,29 @@ final class RobotEventHandler {
     }
     cancelForeignTask(robot);
     holds.robotConnected(robot);
+  }
+
+  /** To be called at each tick: who was carried here is told where it stands, until it takes it. */
+  void locateCarried(FloorRobot robot) {
+    Pose pose = robot.reported.pose();
+    if (robot.reported.isCarried()
+        && robot.hasStopped()
+        && pose != null
+        && robot.locatedAt.plus(LOCATE_AGAIN_AFTER).isBefore(state.now)) {
+      locate(robot, pose);
+    }
+  }
+
+  void locate(FloorRobot robot, Pose pose) {
+    robot.locatedAt = state.now;
+    robot.agent.tell(new RobotMessage.Locate(pose));
+  }
+
+  private void located(FloorRobot robot) {
+    if (robot.reported.isCarried()) {
+      robot.reported.setCarried(false);
+      state.writer.write(() -> state.store.saveLocated(robot.name()), () -> {});
+    }
   }
 
   private void fellSilent(FloorRobot robot, @Nullable String fault) {
@@ -217,7 +247,7 @@ final class RobotEventHandler {
         robot.drive.endCancelling();
       }
     } else if (robot.drive.settle(said.drive())) {
-      if (said.localised()) {
+      if (robot.reported.report().localised()) {
         reportProgress(robot, said);
       }
     } else if (!robot.drive.order().isPending() && !isBraking(robot)) {
@@ -227,7 +257,7 @@ final class RobotEventHandler {
       }
       reportStanding(robot);
     }
-    if (said.localised()) {
+    if (robot.reported.report().localised()) {
       state.addRobotLines(
           watch.addPercepts(robot.name(), said.pose().position(), said.obstacles(), state.now));
     }

@@ -1,12 +1,9 @@
 package org.toqa.fleet.manager;
 
-import java.time.Duration;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionStage;
-import java.util.concurrent.Executor;
-import java.util.concurrent.TimeUnit;
 import org.toqa.fleet.Answer;
 import org.toqa.fleet.RobotMove;
 import org.toqa.fleet.RobotRecord;
@@ -27,14 +24,11 @@ import org.toqa.wording.Phrase;
  *   <li>Its floor gives it up, if it is out of service and has no task; where it is now is stored
  *       with that.
  *   <li>The listeners are told, who carry bodies that are simulated.
- *   <li>The other floor takes it, still out of service.
- *   <li>The robot is told where it stands, as soon as it is connected.
+ *   <li>The other floor takes it, still out of service, and keeps its place free. As soon as it is
+ *       connected it tells the robot where it stands, until the robot has taken that.
  * </ol>
  */
 final class RobotMover {
-  private static final Duration PAUSE = Duration.ofMillis(200);
-  private static final int MOST_TRIES = 30;
-
   private final FloorDirectory floors;
   private final RobotFloors robots;
   private final List<MoveListener> listeners;
@@ -72,12 +66,7 @@ final class RobotMover {
     CompletionStage<Answer<RobotView>> carried =
         to.get().ask(target -> carry(robot, from.get(), to.get(), target, move, user));
     return FloorEntry.orIfRemoved(
-            carried, () -> new Answer.Rejected<>("floor", floors.noSuchFloor(move.floor())))
-        .thenCompose(
-            there ->
-                there instanceof Answer.Accepted<RobotView>
-                    ? locate(robot, to.get(), move, user, MOST_TRIES)
-                    : done(there));
+        carried, () -> new Answer.Rejected<>("floor", floors.noSuchFloor(move.floor())));
   }
 
   /** While the other floor is asked, it is not removed; it counts the robot among its own. */
@@ -128,25 +117,6 @@ final class RobotMover {
       RobotRecord robot, FloorEntry to, FloorFleet target, RobotMove move) {
     listeners.forEach(listener -> listener.moved(robot.name(), to.map(), move.pose()));
     return target.takeRobot(robot.movedTo(to.name()));
-  }
-
-  private CompletionStage<Answer<RobotView>> locate(
-      String robot, FloorEntry to, RobotMove move, String user, int triesLeft) {
-    return to.ask(floor -> floor.locateRobot(robot, move.pose(), user))
-        .thenCompose(
-            located -> {
-              if (located instanceof Answer.Accepted<RobotView>) {
-                return done(located);
-              }
-              if (triesLeft == 0) {
-                return done(
-                    new Answer.Conflict<>(Phrase.MOVED_NOT_LOCATED.with(robot, to.name()), null));
-              }
-              Executor later =
-                  CompletableFuture.delayedExecutor(PAUSE.toMillis(), TimeUnit.MILLISECONDS);
-              return CompletableFuture.runAsync(() -> {}, later)
-                  .thenCompose(_ -> locate(robot, to, move, user, triesLeft - 1));
-            });
   }
 
   private static <T> CompletionStage<Answer<T>> done(Answer<T> answer) {

@@ -65,6 +65,9 @@ public final class RobotAgent extends AbstractBehavior<RobotMessage> {
   /** Whether it was connected anew since it answered last. */
   private boolean isConnectedAnew;
 
+  /** Of the command by which the robot was told last where it is; 0: it never was. */
+  private long locateNumber;
+
   /** Until then nobody looks whether it answers. */
   private Instant leftOutUntil = Instant.MIN;
 
@@ -145,7 +148,10 @@ public final class RobotAgent extends AbstractBehavior<RobotMessage> {
       case RobotMessage.Hold m ->
           commands.send(m.hold() ? ServerMessage.Hold::new : ServerMessage.Resume::new);
       case RobotMessage.Clear m -> clear(m);
-      case RobotMessage.Locate m -> commands.send(n -> new ServerMessage.Locate(n, m.pose()));
+      case RobotMessage.Locate m -> {
+        locateNumber = commands.nextNumber();
+        commands.send(new ServerMessage.Locate(locateNumber, m.pose()));
+      }
       case RobotMessage.Act m ->
           commands.send(
               n ->
@@ -313,6 +319,10 @@ public final class RobotAgent extends AbstractBehavior<RobotMessage> {
     if (drives.isRoom(seq)) {
       reports.flush();
       floor.tell(new RobotEvent.RoomTaken(robot.name()));
+    }
+    if (seq == locateNumber) {
+      reports.flush();
+      floor.tell(new RobotEvent.Located(robot.name()));
     }
     if (drives.isDrive(seq)) {
       reports.flush();

@@ -61,6 +61,9 @@ public sealed interface RobotEvent {
    */
   record RoomTaken(String robot) implements RobotEvent {}
 
+  /** The robot has taken where it is: the place that it says from now on follows from that. */
+  record Located(String robot) implements RobotEvent {}
+
   /** The robot has not taken the room that it was lent. */
   record RoomRefused(String robot) implements RobotEvent {}
 
