@@ -42,6 +42,18 @@ class FleetClearTest extends HallFleetTest {
   }
 
   @Test
+  void whoseStopEndsAtTheRobotGetsANewDriveWithoutAWord() throws Exception {
+    task = submit("West", "East");
+    untilCarryingOnTheWay(task);
+    scriptedRobot("r1").breakDown("EMERGENCY");
+    until(view -> robot(view, "r1").state() == RobotState.ERROR);
+    scriptedRobot("r1").endStop();
+
+    until(view -> task(view, task).state() == TaskState.DONE);
+    assertEquals(List.of(), clears());
+  }
+
+  @Test
   void noResumeClearsAnything() throws Exception {
     carryAndStop();
     accepted(stage.fleet.pauseAll("Max"));

@@ -316,6 +316,12 @@ public final class ScriptedRobot {
     condition.fault = null;
   }
 
+  /** What stopped its body is over at the robot: it has no drive any more. */
+  synchronized void endStop() {
+    condition.fault = null;
+    drive.abandon();
+  }
+
   synchronized boolean isHeld() {
     return held;
   }

@@ -22,6 +22,7 @@ import org.toqa.link.http.HttpRobotException;
 import org.toqa.link.http.RobotDescription;
 import org.toqa.link.http.RobotToken;
 import org.toqa.link.http.WheelReport;
+import org.toqa.link.http.WheelReport.RobotError;
 import org.toqa.link.trust.HttpTls;
 import org.toqa.link.trust.Identity;
 import tools.jackson.databind.json.JsonMapper;
@@ -35,6 +36,8 @@ public final class SimulatedHttpRobot implements AutoCloseable {
 
   private static final JsonMapper MAPPER = new JsonMapper();
   private static final Duration SILENCE = Duration.ofMinutes(1);
+  private static final RobotError EMERGENCY =
+      new RobotError("EMERGENCY", "The emergency stop is pressed.");
   private static final int OK = 200;
   private static final int BAD_REQUEST = 400;
   private static final int UNAUTHORIZED = 401;
@@ -64,6 +67,8 @@ public final class SimulatedHttpRobot implements AutoCloseable {
     WRONG_RANGES,
     /** Counts have jumped by a hundred turns. */
     JUMPED_COUNTS,
+    /** They tell an emergency stop. */
+    EMERGENCY,
     /** They have the status 500. */
     BROKEN
   }
@@ -272,18 +277,24 @@ public final class SimulatedHttpRobot implements AutoCloseable {
           send(
               exchange,
               OK,
-              HttpRobotCodec.encode(
-                  new WheelReport(
-                      report.seq(),
-                      report.boot(),
-                      report.stamp(),
-                      report.left() + 280_800,
-                      report.right(),
-                      report.battery(),
-                      report.ranges(),
-                      report.errors())));
+              HttpRobotCodec.encode(with(report, report.left() + 280_800, List.of())));
+      case EMERGENCY ->
+          send(
+              exchange, OK, HttpRobotCodec.encode(with(report, report.left(), List.of(EMERGENCY))));
       case BROKEN -> refuse(exchange, 500, "it is broken");
     }
+  }
+
+  private static WheelReport with(WheelReport report, long left, List<RobotError> errors) {
+    return new WheelReport(
+        report.seq(),
+        report.boot(),
+        report.stamp(),
+        left,
+        report.right(),
+        report.battery(),
+        report.ranges(),
+        errors);
   }
 
   private static void refuse(HttpExchange exchange, int status, String sentence)

@@ -39,6 +39,7 @@ import org.toqa.link.RobotLinkFactory;
 import org.toqa.link.TcpRobotLinkFactory;
 import org.toqa.link.http.RobotDescription.Sonar;
 import org.toqa.link.http.RobotToken;
+import org.toqa.link.message.AgentMessage;
 import org.toqa.link.message.AgentMessage.Done;
 import org.toqa.link.message.AgentMessage.Hello;
 import org.toqa.link.message.AgentMessage.Mode;
@@ -408,6 +409,31 @@ class HttpRobotLinkTest {
     heard.await(Hello.class);
 
     assertEquals(sentence, heard.await(LinkRecorder.End.class).sentence());
+  }
+
+  /** As whose emergency stop was pressed and turned back: it does not go on by itself. */
+  @Test
+  void robotThatWasStoppedByItselfWaitsForANewDrive() throws Exception {
+    RobotLink opened = connect();
+    heard.await(Hello.class);
+    locateAndDrive(opened, List.of(new Segment(0.25, 0, 40)));
+    heard.await(State.class, state -> state.pose().x() > START.x() + 0.1);
+
+    robot.setFault(Fault.EMERGENCY);
+    State stopped =
+        heard.await(State.class, state -> state.mode() == Mode.ERROR && state.twist().v() == 0);
+    robot.setFault(Fault.NONE);
+    State free = heard.await(State.class, state -> state.errors().isEmpty());
+
+    assertEquals(
+        List.of("EMERGENCY"), stopped.errors().stream().map(AgentMessage.Fault::code).toList());
+    assertEquals(Mode.IDLE, free.mode());
+    assertEquals(0, free.drive());
+    assertEquals(5L, free.task());
+    List<Segment> half = List.of(new Segment(0.25, 0, 2));
+    opened.send(new Drive(seq.incrementAndGet(), 5L, 1, free.pose(), half, 1, true, 0));
+    heard.await(Done.class);
+    assertEquals(free.pose().x() + 0.5, robot.truePose().x(), 0.05);
   }
 
   @Test

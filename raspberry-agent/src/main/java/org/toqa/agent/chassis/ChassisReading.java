@@ -24,6 +24,8 @@ import org.toqa.link.message.AgentMessage.Fault;
  * @param measuredLoad kilograms that it bears, as it measures; null: nothing, or it has no scale
  * @param progress on the path that it drives by itself; null while it drives none
  * @param camera what its cameras see; null: it has none, or they see nothing at all
+ * @param stoppedItself whether one of the faults is a stop that the body made by itself, and ends
+ *     by itself
  */
 public record ChassisReading(
     long powerCycle,
@@ -35,7 +37,8 @@ public record ChassisReading(
     List<Fault> faults,
     @Nullable Double measuredLoad,
     @Nullable PathProgress progress,
-    @Nullable CameraView camera) {
+    @Nullable CameraView camera,
+    boolean stoppedItself) {
 
   /** Of a body without cameras. */
   public ChassisReading(
@@ -58,7 +61,8 @@ public record ChassisReading(
         faults,
         measuredLoad,
         progress,
-        null);
+        null,
+        false);
   }
 
   public ChassisReading {
@@ -78,7 +82,8 @@ public record ChassisReading(
         others,
         measuredLoad,
         progress,
-        camera);
+        camera,
+        stoppedItself);
   }
 
   /** The codes of the stops that only a person's word clears. */
@@ -86,6 +91,11 @@ public record ChassisReading(
     return faults.isEmpty() // at most ticks
         ? Set.of()
         : faults.stream().filter(Fault::clearable).map(Fault::code).collect(toSet());
+  }
+
+  /** Whether the body has made a stop that lasts: when it is over, nothing moves by itself. */
+  public boolean hasOwnStop() {
+    return stoppedItself || !stops().isEmpty();
   }
 
   /** Within what its encoders can tell. */

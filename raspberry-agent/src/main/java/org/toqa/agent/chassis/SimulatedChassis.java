@@ -272,7 +272,8 @@ public final class SimulatedChassis implements Chassis {
         List.of(),
         measuredLoad(),
         queue == null ? null : queue.progress(),
-        camera.update(state.truePose().position(), nanos));
+        camera.update(state.truePose().position(), nanos),
+        false);
   }
 
   /** As a scale under the load would. */

@@ -65,8 +65,8 @@ import org.toqa.link.message.ServerMessage.Room;
  *       for it acknowledges and goes on. A robot that drives comes to a standstill on its path.
  *   <li>A hold outlasts drives and restarts until {@code resume}; a drive that comes meanwhile is
  *       accepted and waits.
- *   <li>A stop of the body's own is ended by {@code clear} alone, and ends the drive: the robot
- *       keeps task and phase, and waits for a new drive from where it is.
+ *   <li>A stop of the body's own is ended at the robot or by {@code clear}, and ends the drive: the
+ *       robot keeps task and phase, and waits for a new drive from where it is.
  *   <li>A daemon that starts anew does not continue its last drive: it stays stopped, keeps task
  *       and phase, reports them in its hello, and waits for a new drive from where it is. What
  *       moved while no daemon watched is known by odometry, but nobody has looked whether the path

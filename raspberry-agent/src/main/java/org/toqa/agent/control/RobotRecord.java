@@ -92,17 +92,20 @@ final class RobotRecord {
    * Takes the reading of a tick.
    *
    * @return whether what the robot did is over: the body was powered up anew since the last one, or
-   *     a stop of its hardware was cleared, after which nothing moves by itself
+   *     a stop of its own is over, after which nothing moves by itself
    */
   boolean update(ChassisReading newReading) {
     boolean isNewPowerCycle = newReading.powerCycle() != reading.powerCycle();
-    boolean isStopOver = !reading.stops().isEmpty() && newReading.stops().isEmpty();
+    boolean isStopOver = reading.hasOwnStop() && !newReading.hasOwnStop();
     if (isNewPowerCycle) {
       log.warn("{}: the body was powered up anew.", logName());
       journal.saveDurably(
           entry().withoutDrive().withAnchor(newReading.powerCycle(), newReading.startPose()));
     } else if (isStopOver) {
-      log.info("{}: {} cleared; it waits for a new drive.", logName(), reading.stops());
+      log.info(
+          "{}: {} over; it waits for a new drive.",
+          logName(),
+          reading.faults().stream().map(Fault::code).toList());
       journal.saveDurably(entry().withoutDrive());
     }
     reading = newReading;

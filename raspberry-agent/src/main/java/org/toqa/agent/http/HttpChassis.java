@@ -24,6 +24,7 @@ import org.toqa.link.http.HttpRobotException.Reason;
 import org.toqa.link.http.RobotDescription;
 import org.toqa.link.http.WheelOrder;
 import org.toqa.link.http.WheelReport;
+import org.toqa.link.http.WheelReport.RobotError;
 import org.toqa.link.message.AgentMessage.Fault;
 import org.toqa.localisation.RangeSource;
 import org.toqa.motion.DifferentialLimits;
@@ -87,6 +88,10 @@ public final class HttpChassis implements Chassis {
   private final @Nullable PoseCorrection correction;
 
   private WheelReport report;
+
+  /** What it told since the last reading, so that none passes unseen. */
+  private List<RobotError> errors;
+
   private long seq;
 
   /** Null while no answer is awaited. */
@@ -159,6 +164,7 @@ public final class HttpChassis implements Chassis {
     this.limits = limitsOf(body);
     this.odometry = odometry;
     this.report = report;
+    errors = report.errors();
     seq = report.seq();
     answeredNanos = nanos;
     drivenSince = nanos;
@@ -300,6 +306,9 @@ public final class HttpChassis implements Chassis {
   private void take(HttpRobotClient.Exchange exchange, long nanos) throws HttpRobotException {
     WheelReport answer = exchange.report();
     report = answer;
+    if (!answer.errors().isEmpty()) {
+      errors = answer.errors();
+    }
     answeredNanos = nanos;
     driven = ordered;
     drivenSince = sentNanos;
@@ -321,6 +330,8 @@ public final class HttpChassis implements Chassis {
 
   private ChassisReading reading(long nanos) {
     boolean isSilent = nanos - answeredNanos >= SILENT_NANOS;
+    List<RobotError> told = errors;
+    errors = report.errors();
     return new ChassisReading(
         odometry.epoch(),
         null,
@@ -328,9 +339,11 @@ public final class HttpChassis implements Chassis {
         isSilent ? Twist.ZERO : odometry.twist(),
         report.battery() == null ? 1 : report.battery(),
         ranges(),
-        faults(nanos, isSilent),
+        faults(nanos, isSilent, told),
         null, // it has no scale
-        queue == null ? null : queue.progress());
+        queue == null ? null : queue.progress(),
+        null,
+        !told.isEmpty());
   }
 
   private List<Double> ranges() {
@@ -349,7 +362,7 @@ public final class HttpChassis implements Chassis {
     return told == null || told.size() != sensors;
   }
 
-  private List<Fault> faults(long nanos, boolean isSilent) {
+  private List<Fault> faults(long nanos, boolean isSilent, List<RobotError> told) {
     List<Fault> faults = new ArrayList<>();
     if (isSilent) {
       faults.add(silence());
@@ -366,7 +379,7 @@ public final class HttpChassis implements Chassis {
     if (body.hasRangeSensors() && isBlind()) {
       faults.add(BLIND);
     }
-    report.errors().forEach(error -> faults.add(new Fault(error.code(), error.text())));
+    told.forEach(error -> faults.add(new Fault(error.code(), error.text())));
     return faults;
   }
 

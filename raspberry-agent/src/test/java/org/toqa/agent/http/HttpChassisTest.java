@@ -1,6 +1,7 @@
 package org.toqa.agent.http;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import com.sun.net.httpserver.HttpExchange;
@@ -9,6 +10,7 @@ import java.io.IOException;
 import java.net.InetAddress;
 import java.net.InetSocketAddress;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.concurrent.CopyOnWriteArrayList;
@@ -29,6 +31,7 @@ import org.toqa.link.http.RobotDescription;
 import org.toqa.link.http.RobotToken;
 import org.toqa.link.http.WheelOrder;
 import org.toqa.link.http.WheelReport;
+import org.toqa.link.http.WheelReport.RobotError;
 import org.toqa.localisation.RangeSource;
 
 /** What the server's end of a body over HTTP sends, and makes of the answers. */
@@ -46,6 +49,9 @@ class HttpChassisTest {
 
   /** So many it still gives. */
   private final Semaphore answers = new Semaphore(Integer.MAX_VALUE / 2);
+
+  /** The number of the order whose answer tells that it cannot drive. */
+  private volatile long stoppedAt;
 
   private HttpServer robot;
   private HttpRobotClient client;
@@ -72,7 +78,17 @@ class HttpChassisTest {
     answers.acquireUninterruptibly();
     byte[] report =
         HttpRobotCodec.encode(
-            new WheelReport(order.seq(), BOOT, stamp.getAndAdd(30), 0, 0, null, null, List.of()));
+            new WheelReport(
+                order.seq(),
+                BOOT,
+                stamp.getAndAdd(30),
+                0,
+                0,
+                null,
+                null,
+                order.seq() == stoppedAt
+                    ? List.of(new RobotError("STALL", "Blocked."))
+                    : List.of()));
     exchange.sendResponseHeaders(200, report.length);
     exchange.getResponseBody().write(report);
     exchange.close();
@@ -105,6 +121,24 @@ class HttpChassisTest {
         orders.stream().limit(4).map(WheelOrder::after).toList());
     assertEquals(0, orders.getFirst().left().speed());
     assertTrue(orders.get(1).left().speed() > 0);
+  }
+
+  /** Also where one tick takes two answers, of which the first alone tells it. */
+  @Test
+  void noStopOfItsOwnPassesUnseen() throws Exception {
+    try (HttpChassis chassis = open()) {
+      stoppedAt = BODY.seq() + 2;
+      answers.drainPermits();
+      chassis.exchange(new Twist(0.1, 0, 0), 0);
+      answers.release(Integer.MAX_VALUE / 2);
+      List<Boolean> stops = new ArrayList<>();
+      while (orders.size() < 5) {
+        stops.add(chassis.exchange(new Twist(0.1, 0, 0), 0).hasOwnStop());
+      }
+
+      assertTrue(stops.contains(true), stops.toString());
+      assertFalse(stops.getLast(), stops.toString());
+    }
   }
 
   /** Whose answer was due, so that nothing could be sent. */
