@@ -10,6 +10,7 @@ import org.toqa.accounts.LoginThrottle;
 import org.toqa.accounts.PasswordHasher;
 import org.toqa.app.config.Configuration;
 import org.toqa.sim.SimulatedFleet;
+import org.toqa.telemetry.mqtt.BrokerDoor;
 import org.toqa.web.AllowedHosts;
 import org.toqa.web.ConcurrencyLimits;
 import org.toqa.web.RequestLimit;
@@ -52,7 +53,9 @@ record ServerParts(
             limits.connections()),
         new AllowedHosts(configuration.hosts()),
         wallClock,
-        ServerTelemetry.start(configuration.broker()),
+        ServerTelemetry.start(
+            configuration.broker(),
+            new BrokerDoor(limits.connections(), limits.connectionsPerAddress())),
         new Semaphore(1, true),
         new AtomicReference<>());
   }

@@ -5,6 +5,7 @@ import java.time.InstantSource;
 import java.util.Deque;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.OptionalLong;
 import org.jspecify.annotations.Nullable;
 import org.toqa.accounts.Scope;
 import org.toqa.accounts.Secret;
@@ -21,6 +22,7 @@ import org.toqa.telemetry.TelemetryStore;
 import org.toqa.telemetry.Topics;
 import org.toqa.telemetry.mqtt.BrokerAddress;
 import org.toqa.telemetry.mqtt.BrokerConnection;
+import org.toqa.telemetry.mqtt.BrokerDoor;
 import org.toqa.telemetry.mqtt.BrokerSettings;
 import org.toqa.telemetry.mqtt.EmbeddedBroker;
 import org.toqa.telemetry.mqtt.StateWriter;
@@ -40,9 +42,11 @@ record ServerTelemetry(@Nullable EmbeddedBroker broker, BrokerSettings.@Nullable
 
   /**
    * @param settings null: no port is opened and no broker is asked
+   * @param door by which connections come to the embedded broker
    * @throws IOException the embedded broker cannot start; the message says what to do
    */
-  static ServerTelemetry start(@Nullable BrokerSettings settings) throws IOException {
+  static ServerTelemetry start(@Nullable BrokerSettings settings, BrokerDoor door)
+      throws IOException {
     return switch (settings) {
       case null -> new ServerTelemetry(null, null);
       case BrokerSettings.Embedded embedded -> {
@@ -50,7 +54,7 @@ record ServerTelemetry(@Nullable EmbeddedBroker broker, BrokerSettings.@Nullable
         if (tls != null) {
           CertificateWithKey.read("mqtt", tls.certificate(), tls.key());
         }
-        yield new ServerTelemetry(EmbeddedBroker.start(embedded), null);
+        yield new ServerTelemetry(EmbeddedBroker.start(embedded, door), null);
       }
       case BrokerSettings.External external -> new ServerTelemetry(null, external);
     };
@@ -181,14 +185,16 @@ record ServerTelemetry(@Nullable EmbeddedBroker broker, BrokerSettings.@Nullable
     }
 
     @Override
-    public boolean isReader(String token) {
+    public OptionalLong reader(String token) {
       return Secret.site(token) == site.id()
-          && sessions
+          ? sessions
               .find(Session.Carrier.BEARER, token)
               .filter(login -> login.session().kind() == Session.Kind.TOKEN)
               .filter(login -> !login.account().disabled())
               .filter(login -> login.session().scopes().contains(Scope.READ))
-              .isPresent();
+              .map(login -> OptionalLong.of(login.account().id()))
+              .orElse(OptionalLong.empty())
+          : OptionalLong.empty();
     }
   }
 

@@ -22,6 +22,7 @@ import java.time.Duration;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.OptionalLong;
 import java.util.Properties;
 import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
@@ -83,30 +84,37 @@ public final class EmbeddedBroker implements AutoCloseable {
   public interface SiteUsers {
     boolean isRobot(String name, String password);
 
-    /** Whether a token of that site lets read. */
-    boolean isReader(String token);
+    /**
+     * The account whose token of that site lets read.
+     *
+     * @return its id; empty: none
+     */
+    OptionalLong reader(String token);
   }
 
   /**
+   * @param holder whose connections count together: a reader may call himself what he likes
    * @param nanos when, on a monotonic clock
    */
-  private record Login(String user, String password, long nanos) {}
+  private record Login(String user, String password, String holder, long nanos) {}
 
-  private EmbeddedBroker(BrokerSettings.Embedded settings) throws IOException {
+  private EmbeddedBroker(BrokerSettings.Embedded settings, BrokerDoor door) throws IOException {
     InetAddress host = settings.address();
     SslContext tls = settings.tls() == null ? null : tlsContext(settings.tls());
     int port = freePort(host, settings.port());
-    BrokerGuardExtension.enable();
     Thread starter = Thread.currentThread();
     ClassLoader before = starter.getContextClassLoader();
     starter.setContextClassLoader(EmbeddedBroker.class.getClassLoader()); // finds the guard
     try {
-      broker.startServer(
-          new MemoryConfig(properties(host, port, tls != null)),
-          List.of(new Leavers()),
-          contexts(tls),
-          this::isLetIn,
-          new Rights());
+      BrokerGuardExtension.start(
+          door,
+          () ->
+              broker.startServer(
+                  new MemoryConfig(properties(host, port, tls != null)),
+                  List.of(new Leavers()),
+                  contexts(tls),
+                  this::isLetIn,
+                  new Rights()));
     } catch (IOException | RuntimeException e) {
       throw new IOException(portMessage(host, port, e), e);
     } finally {
@@ -121,10 +129,12 @@ public final class EmbeddedBroker implements AutoCloseable {
   }
 
   /**
+   * @param door by which its connections come
    * @throws IOException the port or the certificate cannot be had; the message says what to do
    */
-  public static EmbeddedBroker start(BrokerSettings.Embedded settings) throws IOException {
-    EmbeddedBroker started = new EmbeddedBroker(settings);
+  public static EmbeddedBroker start(BrokerSettings.Embedded settings, BrokerDoor door)
+      throws IOException {
+    EmbeddedBroker started = new EmbeddedBroker(settings, door);
     log.info("The MQTT broker listens at {}.", started.address.shown());
     return started;
   }
@@ -222,34 +232,34 @@ public final class EmbeddedBroker implements AutoCloseable {
         || clientId.length() > LONGEST_CLIENT_ID) {
       return false;
     }
-    Login login = new Login(user, new String(password, StandardCharsets.UTF_8), System.nanoTime());
-    if (!isClientIdFree(clientId, user)
-        || connectionsOf(user) >= CONNECTIONS_PER_USER
-        || !isValidAfterAll(login)) {
+    String given = new String(password, StandardCharsets.UTF_8);
+    Optional<String> holder =
+        isClientIdFree(clientId, user) ? holderAfterAll(user, given) : Optional.empty();
+    if (holder.filter(who -> connectionsOf(who) < CONNECTIONS_PER_USER).isEmpty()) {
       return false;
     }
-    connected.put(clientId, login);
+    connected.put(clientId, new Login(user, given, holder.get(), System.nanoTime()));
     return true;
   }
 
-  private long connectionsOf(String user) {
-    return connected.values().stream().filter(login -> login.user().equals(user)).count();
+  private long connectionsOf(String holder) {
+    return connected.values().stream().filter(login -> login.holder().equals(holder)).count();
   }
 
-  /** After others that are asked for; false also while the store does not answer. */
-  private boolean isValidAfterAll(Login login) {
+  /** After others that are asked for; empty also while the store does not answer. */
+  private Optional<String> holderAfterAll(String user, String password) {
     try {
       if (!checks.tryAcquire(CHECK_LIMIT.toMillis(), TimeUnit.MILLISECONDS)) {
-        return false;
+        return Optional.empty();
       }
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
-      return false;
+      return Optional.empty();
     }
     try {
-      return isValid(login);
+      return holder(user, password);
     } catch (StoreException e) {
-      return false;
+      return Optional.empty();
     } finally {
       checks.release();
     }
@@ -261,19 +271,26 @@ public final class EmbeddedBroker implements AutoCloseable {
     return now == null || now.user().equals(user);
   }
 
-  private boolean isValid(Login login) {
-    Optional<MqttUser> user = MqttUser.of(login.user());
-    if (user.isEmpty()) {
-      return false;
+  /** Whose that password is; empty: not of a user who is called so. */
+  private Optional<String> holder(String name, String password) {
+    Optional<MqttUser> user = MqttUser.of(name);
+    SiteUsers users = user.isEmpty() ? null : sites.get(user.get().topics().site());
+    if (users == null) {
+      return Optional.empty();
     }
-    SiteUsers users = sites.get(user.get().topics().site());
-    return users != null
-        && switch (user.get()) {
-          case MqttUser.Server _ -> login.password().equals(serverPassword);
-          case MqttUser.Robot robot -> users.isRobot(robot.name(), login.password());
-          case MqttUser.Reader _ ->
-              Secret.isWellFormed(login.password()) && users.isReader(login.password());
-        };
+    return switch (user.get()) {
+      case MqttUser.Server _ ->
+          password.equals(serverPassword) ? Optional.of(name) : Optional.empty();
+      case MqttUser.Robot robot ->
+          users.isRobot(robot.name(), password) ? Optional.of(name) : Optional.empty();
+      case MqttUser.Reader reader -> {
+        OptionalLong account =
+            Secret.isWellFormed(password) ? users.reader(password) : OptionalLong.empty();
+        yield account.isPresent()
+            ? Optional.of(reader.topics().site() + "/reader/" + account.getAsLong())
+            : Optional.empty();
+      }
+    };
   }
 
   /** From time to time. */
@@ -304,7 +321,7 @@ public final class EmbeddedBroker implements AutoCloseable {
     connected.forEach(
         (clientId, login) -> {
           try {
-            if (!isValid(login)) {
+            if (holder(login.user(), login.password()).isEmpty()) {
               connected.remove(clientId, login);
               broker.disconnectClient(clientId);
             }

@@ -17,6 +17,7 @@ import java.net.URI;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.OptionalLong;
 import java.util.concurrent.Semaphore;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicReference;
@@ -56,8 +57,12 @@ class EmbeddedBrokerTest {
   }
 
   private static EmbeddedBroker start(int port) throws IOException {
+    return start(port, new BrokerDoor(8192, 300));
+  }
+
+  private static EmbeddedBroker start(int port, BrokerDoor door) throws IOException {
     return EmbeddedBroker.start(
-        new BrokerSettings.Embedded(InetAddress.getLoopbackAddress(), port, null));
+        new BrokerSettings.Embedded(InetAddress.getLoopbackAddress(), port, null), door);
   }
 
   @AfterEach
@@ -236,6 +241,52 @@ class EmbeddedBrokerTest {
     }
   }
 
+  /** By whatever names. */
+  @Test
+  void oneTokenOpensSoManyConnections() throws Exception {
+    List<MqttTestClient> clients = new ArrayList<>();
+    for (int i = 1; i < CONNECTIONS; i++) { // beside the reader
+      clients.add(
+          MqttTestClient.to(broker.address().uri()).as("main/reader/a" + i, main.token).connect());
+    }
+
+    assertRefused("main/reader/another", main.token);
+    clients.add(north.reader(broker)); // another account
+    clients.add(main.robot(broker, "r1"));
+    for (MqttTestClient client : clients) {
+      client.close();
+    }
+  }
+
+  @Test
+  void whoFindsNoPlaceIsSentAwayBeforeHeSaysWhoHeIs() throws Exception {
+    BrokerDoor door = new BrokerDoor(1, 1);
+    InetAddress here = InetAddress.getLoopbackAddress();
+    while (door.tryEnter(here)) {
+      // as connections do
+    }
+    try (EmbeddedBroker full = start(0, door)) {
+      full.add("main", main);
+      URI uri = URI.create(full.address().uri());
+      try (Socket late = new Socket(uri.getHost(), uri.getPort())) {
+        late.setSoTimeout(5_000); // who may come in has longer to say who he is
+        assertEquals(-1, late.getInputStream().read());
+      }
+
+      door.leave(here);
+      MqttTestClient.await(() -> canRead(full), "there is a place");
+      MqttTestClient.await(() -> canRead(full), "there is a place again");
+    }
+  }
+
+  private boolean canRead(EmbeddedBroker other) {
+    try (MqttTestClient client = main.reader(other)) {
+      return client.isConnected();
+    } catch (Exception e) {
+      return false;
+    }
+  }
+
   /** Else its user would not be let in again before the next start. */
   @Test
   @Timeout(120)
@@ -323,8 +374,8 @@ class EmbeddedBrokerTest {
     }
 
     @Override
-    public boolean isReader(String token) {
-      return false;
+    public OptionalLong reader(String token) {
+      return OptionalLong.empty();
     }
   }
 

@@ -5,6 +5,7 @@ import java.time.InstantSource;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
+import java.util.OptionalLong;
 import java.util.concurrent.ConcurrentHashMap;
 import org.jspecify.annotations.Nullable;
 import org.toqa.accounts.Secret;
@@ -88,8 +89,8 @@ final class TestSite implements AutoCloseable, EmbeddedBroker.SiteUsers {
   }
 
   @Override
-  public boolean isReader(String given) {
-    return isTokenValid && given.equals(token);
+  public OptionalLong reader(String given) {
+    return isTokenValid && given.equals(token) ? OptionalLong.of(7) : OptionalLong.empty();
   }
 
   private static final class Words implements StateWriter {

@@ -34,7 +34,8 @@ class TlsBrokerTest {
             new BrokerSettings.Embedded(
                 InetAddress.getLoopbackAddress(),
                 0,
-                new BrokerSettings.PemFiles(certificate.file(), certificate.key())));
+                new BrokerSettings.PemFiles(certificate.file(), certificate.key())),
+            new BrokerDoor(8192, 300));
     main = new TestSite("main");
     main.connect(broker);
   }
