@@ -132,6 +132,25 @@ class NoticeStoreTest extends DatabaseTest {
   }
 
   @Test
+  void whatAClockThatWasAheadHasPutOffIsFoundAndBroughtForward() {
+    begin(notice(NoticeKind.ROBOT_LOST, "r1", null), toClara(false));
+    Delivery.Due due = store.firstLetter(AT).orElseThrow();
+    Instant late = AT.plusSeconds(7200);
+    assertEquals(List.of(), store.putOff(AT, AT));
+    assertEquals(1, store.putOff(AT.minusMillis(1), late).size(), "accepted later");
+
+    store.setFailed(due, "nobody answers", late);
+    assertEquals(List.of(), store.putOff(AT, late));
+    assertEquals(1, store.putOff(AT, late.minusMillis(1)).size(), "tried later");
+
+    Instant before = AT.minusSeconds(60);
+    store.bringForward(due, before, before);
+    Delivery.Due again = store.firstLetter(before).orElseThrow();
+    assertEquals(before, again.createdAt());
+    assertEquals(1, again.attempts());
+  }
+
+  @Test
   void seenIsByWhomAndWhenAndOnce() {
     begin(notice(NoticeKind.ROBOT_LOST, "r1", null));
     begin(notice(NoticeKind.ROBOT_LOST, "r2", null));
