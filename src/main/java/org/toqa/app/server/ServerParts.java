@@ -42,10 +42,12 @@ record ServerParts(
       Configuration configuration, PasswordHasher passwords, InstantSource wallClock)
       throws IOException {
     Configuration.Limits limits = configuration.limits();
+    RequestLimit requests =
+        new RequestLimit(configuration.requestsPerSecond(), Ticker.systemTicker());
     return new ServerParts(
         passwords,
         new LoginThrottle(new SteadyClock(wallClock.instant(), System::nanoTime)),
-        new RequestLimit(configuration.requestsPerSecond(), Ticker.systemTicker()),
+        requests,
         ConcurrencyLimits.of(
             limits.requestsAtOnce(),
             limits.streamsPerUser(),
@@ -55,7 +57,10 @@ record ServerParts(
         wallClock,
         ServerTelemetry.start(
             configuration.broker(),
-            new BrokerDoor(limits.connections(), limits.connectionsPerAddress())),
+            new BrokerDoor(
+                limits.connections(),
+                limits.connectionsPerAddress(),
+                block -> requests.tryAcquire("MQTT address " + block).isZero())),
         new Semaphore(1, true),
         new AtomicReference<>());
   }

@@ -4,10 +4,13 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.net.InetAddress;
+import java.util.HashSet;
+import java.util.Set;
 import org.junit.jupiter.api.Test;
 
 class BrokerDoorTest {
-  private final BrokerDoor door = new BrokerDoor(5, 2);
+  private final Set<String> waiting = new HashSet<>();
+  private final BrokerDoor door = new BrokerDoor(5, 2, block -> !waiting.contains(block));
 
   private boolean enter(String address) {
     return door.tryEnter(InetAddress.ofLiteral(address));
@@ -35,6 +38,16 @@ class BrokerDoorTest {
     assertTrue(enter("2001:db8:0:1::2"));
     assertFull("2001:db8:0:1:ffff::3");
     assertTrue(enter("2001:db8:0:2::1"));
+  }
+
+  @Test
+  void whoTriesTooOftenWaitsThoughThereIsAPlace() {
+    waiting.add("192.0.2.1");
+    waiting.add("127.0.0.1");
+
+    assertFull("192.0.2.1");
+    assertTrue(enter("192.0.2.2"));
+    assertTrue(enter("127.0.0.1"), "the server itself");
   }
 
   @Test

@@ -57,7 +57,7 @@ class EmbeddedBrokerTest {
   }
 
   private static EmbeddedBroker start(int port) throws IOException {
-    return start(port, new BrokerDoor(8192, 300));
+    return start(port, new BrokerDoor(8192, 300, _ -> true));
   }
 
   private static EmbeddedBroker start(int port, BrokerDoor door) throws IOException {
@@ -260,7 +260,7 @@ class EmbeddedBrokerTest {
 
   @Test
   void whoFindsNoPlaceIsSentAwayBeforeHeSaysWhoHeIs() throws Exception {
-    BrokerDoor door = new BrokerDoor(1, 1);
+    BrokerDoor door = new BrokerDoor(1, 1, _ -> true);
     InetAddress here = InetAddress.getLoopbackAddress();
     while (door.tryEnter(here)) {
       // as connections do

@@ -35,7 +35,7 @@ class TlsBrokerTest {
                 InetAddress.getLoopbackAddress(),
                 0,
                 new BrokerSettings.PemFiles(certificate.file(), certificate.key())),
-            new BrokerDoor(8192, 300));
+            new BrokerDoor(8192, 300, _ -> true));
     main = new TestSite("main");
     main.connect(broker);
   }
