@@ -26,6 +26,9 @@ class SeparateProcessesIT {
 
   private static final double SPEED = 12;
 
+  /** In the zone it must be seen before it has left it. */
+  private static final double SPEED_IN_HALL = 4;
+
   /** Whether a zone is freed by a person too. */
   private static final boolean IS_LONG = "whole".equals(System.getProperty("toqa.walk"));
 
@@ -82,7 +85,7 @@ class SeparateProcessesIT {
                 "zed",
                 0.75,
                 2.85,
-                SPEED,
+                SPEED_IN_HALL,
                 "",
                 "kind: differential\navoidance: four-agents\n");
         RunningServer server = startInHall()) {
@@ -145,7 +148,7 @@ class SeparateProcessesIT {
         "--simulate",
         "1",
         "--speed",
-        String.valueOf(SPEED));
+        String.valueOf(SPEED_IN_HALL));
   }
 
   private static long crossing(RunningServer server, String robot, String from, String to)

@@ -40,8 +40,8 @@ class SimulatedHttpRobotTest {
   private static final RobotToken TOKEN = new RobotToken("a-token-of-a-test");
   private static final DifferentialLimits LIMITS = new DifferentialLimits(0.52, 0.2, 0.5, 0.8, 4);
 
-  /** So often a body is found where it was, and has not merely waited for the machine. */
-  private static final int LOOKS_AT_REST = 5;
+  /** Of the robot's time, from one order to the next. */
+  private static final long STEP_NANOS = Duration.ofMillis(10).toNanos();
 
   @TempDir private Path folder;
   private final HttpClient http = HttpClient.newHttpClient();
@@ -108,16 +108,18 @@ class SimulatedHttpRobotTest {
 
   @Test
   void wheelsCountWhatTheyTurn() throws Exception {
+    AtomicLong time = startWithClock();
     WheelReport first = order(1, 0.2, 0);
     WheelReport later = first;
     for (long seq = 2; later.left() < 1000; seq++) {
+      assertTrue(seq < 1000, "they hardly turn");
+      time.addAndGet(STEP_NANOS);
       later = order(seq, 0.2, 0);
-      TimeUnit.MILLISECONDS.sleep(10);
     }
 
     // 2808 counts are a turn of 2 pi 0.04 m
     double metres = (later.left() - first.left()) * 2 * Math.PI * 0.04 / 2808;
-    assertEquals(metres, robot.truePose().x(), 0.03);
+    assertEquals(metres, robot.truePose().x(), 0.005);
     assertTrue(later.stamp() > first.stamp());
   }
 
@@ -136,7 +138,7 @@ class SimulatedHttpRobotTest {
   @ParameterizedTest
   @ValueSource(ints = {1, 5, 60})
   void orderThatWasHeldUpOnItsWayHasNoEffect(int seconds) throws Exception {
-    AtomicLong skipped = startWithClock();
+    AtomicLong time = startWithClock();
     try (FaultyTcpProxy cable = new FaultyTcpProxy(robot.port())) {
       long after = order(1, 0, 0).stamp();
       cable.silence();
@@ -144,15 +146,15 @@ class SimulatedHttpRobotTest {
           http.sendAsync(
               request(cable.port(), "/v1/wheels").POST(body(2, after, 0.4, 0)).build(),
               BodyHandlers.ofByteArray());
-      skipped.addAndGet(Duration.ofSeconds(seconds).toNanos());
+      time.addAndGet(Duration.ofSeconds(seconds).toNanos());
       cable.mend();
       WheelReport answer = report(held.get(20, TimeUnit.SECONDS));
-      skipped.addAndGet(Duration.ofSeconds(1).toNanos());
+      time.addAndGet(Duration.ofSeconds(1).toNanos());
 
       assertEquals(1, answer.seq());
       assertEquals(0, robot.truePose().x());
       assertEquals(2, order(2, answer.stamp() + 1000, 0.4, 0).seq());
-      skipped.addAndGet(Duration.ofSeconds(1).toNanos());
+      time.addAndGet(Duration.ofSeconds(1).toNanos());
       assertTrue(robot.truePose().x() > 0.04);
     }
   }
@@ -168,36 +170,35 @@ class SimulatedHttpRobotTest {
   }
 
   /**
-   * @return what its clock is ahead of the machine's, nanoseconds
+   * @return its clock, nanoseconds
    */
   private AtomicLong startWithClock() throws IOException {
     robot.close();
-    AtomicLong skipped = new AtomicLong();
+    AtomicLong time = new AtomicLong();
     robot =
         new SimulatedHttpRobot(
             SimulatedHttpRobot.Settings.of(TOKEN, new Pose(0, 0, 0)),
             Surroundings.EMPTY,
-            () -> System.nanoTime() + skipped.get());
-    return skipped;
+            time::get);
+    return time;
   }
 
   /** Judged at the body: from 200 ms after the last order on it only brakes. */
   @Test
   void silenceStopsTheWheels() throws Exception {
+    AtomicLong time = startWithClock();
     for (long seq = 1; robot.truePose().x() < 0.05; seq++) {
+      assertTrue(seq < 1000, "it hardly drives");
       order(seq, 0.4, 0);
-      TimeUnit.MILLISECONDS.sleep(10);
+      time.addAndGet(STEP_NANOS);
     }
     double atLastOrder = robot.truePose().x();
-    double stopped = atLastOrder;
-    for (int same = 0; same < LOOKS_AT_REST; ) {
-      TimeUnit.MILLISECONDS.sleep(100);
-      double now = robot.truePose().x();
-      same = now > stopped ? 0 : same + 1;
-      stopped = now;
-    }
+    time.addAndGet(Duration.ofSeconds(2).toNanos());
+    double stopped = robot.truePose().x();
+    time.addAndGet(Duration.ofSeconds(2).toNanos());
 
-    // 0.2 s at 0.4 m/s and some centimetres to brake; the sleeps above are no part of it
+    assertEquals(stopped, robot.truePose().x());
+    // 0.2 s at 0.4 m/s and some centimetres to brake
     assertTrue(
         stopped - atLastOrder < 0.4 * 0.2 + 0.1, "it went on for " + (stopped - atLastOrder));
     assertTrue(stopped - atLastOrder > 0.04, "it stopped at once");
