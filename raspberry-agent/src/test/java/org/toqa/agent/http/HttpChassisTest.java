@@ -15,6 +15,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.Semaphore;
+import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicLong;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
@@ -49,6 +50,9 @@ class HttpChassisTest {
 
   /** So many it still gives. */
   private final Semaphore answers = new Semaphore(Integer.MAX_VALUE / 2);
+
+  /** Of answers that are on their way. */
+  private final Semaphore written = new Semaphore(0);
 
   /** The number of the order whose answer tells that it cannot drive. */
   private volatile long stoppedAt;
@@ -92,6 +96,7 @@ class HttpChassisTest {
     exchange.sendResponseHeaders(200, report.length);
     exchange.getResponseBody().write(report);
     exchange.close();
+    written.release();
   }
 
   private HttpChassis open() throws IOException {
@@ -152,6 +157,8 @@ class HttpChassisTest {
       chassis.exchange(Twist.ZERO, 0);
       assertEquals(2, orders.size());
       answers.release(Integer.MAX_VALUE / 2);
+      // both are on their way: it waits for the second one no longer than it must
+      assertTrue(written.tryAcquire(2, 10, TimeUnit.SECONDS));
     }
 
     assertTrue(orders.get(1).left().speed() > 0);
