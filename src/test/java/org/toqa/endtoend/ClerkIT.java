@@ -67,7 +67,7 @@ class ClerkIT extends BrowserTest {
       page.navigate(server.root().resolve("map").toString());
       Locator entry =
           page.locator("#robots li").filter(new Locator.FilterOptions().setHasText(robot));
-      assertThat(entry).containsText("On hold");
+      assertThat(entry).containsText("is on hold");
       server.awaitAccepted("tasks/" + task + "/resume", Map.of());
       assertThat(entry)
           .containsText(Pattern.compile("Driving to the load|Carrying the load|Driving home"));
