@@ -14,6 +14,8 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.locks.LockSupport;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -46,28 +48,41 @@ class AdHocNetworkIT {
   };
 
   @TempDir private Path folder;
+  private RadioNetwork radio;
 
-  @Test
-  void aRobotCarriesATaskThroughARouteThatMends() throws Exception {
+  /** Waits until nobody browses, which takes nothing of the test's time. */
+  @BeforeEach
+  void openNetwork() throws Exception {
     Needed.orLeftOut(
         RadioNetwork.isAllowed() && Files.isExecutable(Path.of("/usr/sbin/babeld")),
         "network namespaces and babeld: run it as root, with ip, nft and babeld (Debian: iproute2,"
             + " nftables, babeld)");
+    radio = new RadioNetwork(ROBOTS + 1);
+  }
+
+  @AfterEach
+  void closeNetwork() throws Exception {
+    if (radio != null) {
+      radio.close();
+    }
+  }
+
+  @Test
+  void aRobotCarriesATaskThroughARouteThatMends() throws Exception {
     List<ToqaProcess> daemons = new ArrayList<>();
-    try (RadioNetwork radio = new RadioNetwork(ROBOTS + 1);
-        ToqaProcess base = base(radio);
+    try (ToqaProcess base = base();
         RunningServer server = new RunningServer(folder)) {
       radio.join(0, 1);
       radio.join(1, 2);
       radio.join(2, 3);
       try {
         for (int robot = 1; robot <= ROBOTS; robot++) {
-          daemons.add(daemon(radio, robot));
+          daemons.add(daemon(robot));
         }
         for (int robot = 1; robot <= ROBOTS; robot++) {
           String code = daemons.get(robot - 1).awaitErr("Pairing code: (\\S+)").group(1);
           awaitReached(radio.address(robot));
-          server.api().post("robots", robot(radio, robot, code));
+          server.api().post("robots", robot(robot, code));
         }
         for (int robot = 1; robot <= ROBOTS; robot++) {
           awaitRoute(server, robot, radio.address(robot - 1), "IDLE");
@@ -108,7 +123,7 @@ class AdHocNetworkIT {
   }
 
   /** As it is set up by docs/network.md. */
-  private ToqaProcess base(RadioNetwork radio) throws Exception {
+  private ToqaProcess base() throws Exception {
     Path config =
         Files.writeString(
             folder.resolve("babeld.conf"),
@@ -130,7 +145,7 @@ class AdHocNetworkIT {
     return ToqaProcess.command(folder, command.toArray(String[]::new));
   }
 
-  private ToqaProcess daemon(RadioNetwork radio, int robot) throws IOException {
+  private ToqaProcess daemon(int robot) throws IOException {
     Path key = folder.resolve("fleet.key");
     Files.writeString(key, KEY);
     Files.setPosixFilePermissions(key, PosixFilePermissions.fromString("rw-------"));
@@ -165,7 +180,7 @@ class AdHocNetworkIT {
     }
   }
 
-  private static Map<String, Object> robot(RadioNetwork radio, int robot, String code) {
+  private Map<String, Object> robot(int robot, String code) {
     return Map.of(
         "name",
         "r" + robot,

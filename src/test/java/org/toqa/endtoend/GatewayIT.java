@@ -12,6 +12,8 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -31,21 +33,35 @@ class GatewayIT {
 
   @TempDir private Path folder;
 
-  @Test
-  void aRobotOnAPrivateAddressIsPairedAndServedThroughAGateway() throws Exception {
+  private PrivateNetwork network;
+
+  /** Waits until nobody browses, which takes nothing of the test's time. */
+  @BeforeEach
+  void openNetwork() throws Exception {
     Needed.orLeftOut(
         PrivateNetwork.isAllowed(),
         "network namespaces with address translation: run it as root, with ip and nft (Debian:"
             + " iproute2, nftables)");
-    try (PrivateNetwork network = new PrivateNetwork();
-        RunningServer server = server(network)) {
-      try (ToqaProcess daemon = daemon(network);
-          ToqaProcess gateway = gateway(network, server)) {
+    network = new PrivateNetwork();
+  }
+
+  @AfterEach
+  void closeNetwork() throws Exception {
+    if (network != null) {
+      network.close();
+    }
+  }
+
+  @Test
+  void aRobotOnAPrivateAddressIsPairedAndServedThroughAGateway() throws Exception {
+    try (RunningServer server = server()) {
+      try (ToqaProcess daemon = daemon();
+          ToqaProcess gateway = gateway(server)) {
         String code = daemon.awaitErr("Pairing code: (\\S+)").group(1);
         gateway.awaitErr("Connected to the server");
-        assertThrows(IOException.class, () -> connectDirectly(network), "it is private");
+        assertThrows(IOException.class, () -> connectDirectly(), "it is private");
 
-        server.api().post("robots", robot(network, code));
+        server.api().post("robots", robot(code));
         JsonNode paired =
             server.await("robots/r1", robot -> robot.get("state").asString().equals("IDLE"));
         assertEquals("dock", paired.get("gateway").asString());
@@ -67,7 +83,7 @@ class GatewayIT {
     }
   }
 
-  private RunningServer server(PrivateNetwork network) throws Exception {
+  private RunningServer server() throws Exception {
     String dock = fingerprint("gateway-data");
     Path config =
         Files.writeString(
@@ -85,7 +101,7 @@ class GatewayIT {
     return IdentityFile.open(Files.createDirectories(folder.resolve(data))).fingerprint().hex();
   }
 
-  private ToqaProcess gateway(PrivateNetwork network, RunningServer server) throws Exception {
+  private ToqaProcess gateway(RunningServer server) throws Exception {
     int port = Integer.parseInt(server.awaitErr("Gateways connect to port (\\d+)").group(1));
     Path config =
         Files.writeString(
@@ -98,10 +114,10 @@ class GatewayIT {
             robots: [%s]
             """
                 .formatted(network.server(), port, fingerprint("data"), network.plant()));
-    return java(network, "target/toqa.war", "gateway", "--config", config.toString());
+    return java("target/toqa.war", "gateway", "--config", config.toString());
   }
 
-  private ToqaProcess daemon(PrivateNetwork network) throws Exception {
+  private ToqaProcess daemon() throws Exception {
     Path config =
         Files.writeString(
             folder.resolve("agent.yaml"),
@@ -113,11 +129,10 @@ class GatewayIT {
             chassis: {type: simulated, start: {x: 7.95, y: 3.15, heading: 0}, speed: 4}
             """
                 .formatted(network.plant(), ROBOT_PORT));
-    return java(network, "target/toqa-agent.jar", "--config", config.toString(), "--pair");
+    return java("target/toqa-agent.jar", "--config", config.toString(), "--pair");
   }
 
-  private ToqaProcess java(PrivateNetwork network, String jar, String... arguments)
-      throws IOException {
+  private ToqaProcess java(String jar, String... arguments) throws IOException {
     List<String> command =
         new ArrayList<>(
             List.of(
@@ -131,7 +146,7 @@ class GatewayIT {
     return ToqaProcess.command(folder, network.inside(command));
   }
 
-  private static Map<String, Object> robot(PrivateNetwork network, String code) {
+  private Map<String, Object> robot(String code) {
     return Map.of(
         "name",
         "r1",
@@ -147,7 +162,7 @@ class GatewayIT {
         "dock");
   }
 
-  private static void connectDirectly(PrivateNetwork network) throws IOException {
+  private void connectDirectly() throws IOException {
     try (Socket socket = new Socket()) {
       socket.connect(new InetSocketAddress(network.plant(), ROBOT_PORT), 500);
     }
