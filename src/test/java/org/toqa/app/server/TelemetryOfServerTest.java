@@ -82,11 +82,20 @@ class TelemetryOfServerTest {
         });
   }
 
+  /** It reads at the broker by then: what nobody reads there is kept for nobody. */
+  private static void awaitServer(ApiClient api) throws Exception {
+    try (MqttTestClient reader = reader(api)) {
+      reader.subscribe("toqa/v1/main/#");
+      reader.await("toqa/v1/main/robot/r1/state", any -> true);
+    }
+  }
+
   @Test
   void readingsAreShownAndAlertBeyondTheirLimits() throws Exception {
     run(
         "embedded",
         api -> {
+          awaitServer(api);
           JsonNode login = api.post("robots/r1/mqtt-password", Map.of());
           assertEquals("main/robot/r1", login.get("user").asString());
           try (MqttTestClient robot = robot(login)) {
