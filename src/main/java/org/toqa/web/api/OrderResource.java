@@ -29,7 +29,8 @@ public final class OrderResource extends ApiHandler {
       throws IOException {
     MissionEvent.Cancel cancel = readCancel(request);
     if (cancel.choice() != null) { // else all of it is asked first whether something is on board
-      tellAtOnce(request, cancel);
+      OrderAccess.tellAtOnce(
+          services(request), Caller.of(request), RequestPath.number(request, "id"), cancel);
     }
     OrderView order = changeableOrder(request);
     Answer<TaskView> refusal = new Orders(services(request)).cancel(order, cancel);
@@ -58,17 +59,9 @@ public final class OrderResource extends ApiHandler {
   public static void hold(HttpServletRequest request, HttpServletResponse response)
       throws IOException {
     MissionEvent.Hold hold = new MissionEvent.Hold(Caller.of(request).name());
-    tellAtOnce(request, hold);
+    OrderAccess.tellAtOnce(
+        services(request), Caller.of(request), RequestPath.number(request, "id"), hold);
     tell(request, response, user -> hold);
-  }
-
-  private static void tellAtOnce(HttpServletRequest request, MissionEvent.OperatorCommand command) {
-    Caller user = Caller.of(request);
-    new Orders(services(request))
-        .tellAtOnce(
-            RequestPath.number(request, "id"),
-            order -> OrderAccess.canChange(user, order),
-            command);
   }
 
   /** Legs that wait for the one before them go on waiting. */

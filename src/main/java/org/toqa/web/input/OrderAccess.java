@@ -3,9 +3,12 @@ package org.toqa.web.input;
 import java.util.List;
 import org.toqa.fleet.OrderView;
 import org.toqa.fleet.TaskView;
+import org.toqa.mission.MissionEvent;
+import org.toqa.web.Orders;
+import org.toqa.web.Services;
 import org.toqa.web.access.Caller;
 
-/** Who may change an order. */
+/** Who may change an order, and what is told for him at once. */
 public final class OrderAccess {
   private OrderAccess() {}
 
@@ -14,5 +17,15 @@ public final class OrderAccess {
     List<TaskView> open = order.open();
     return (open.isEmpty() ? order.current() : open)
         .stream().allMatch(task -> caller.mayChangeOrderOf(task.task().owner()));
+  }
+
+  /**
+   * Tells what robots stop for to what the fleet has of an order, where the caller may change that.
+   *
+   * @see Orders#tellAtOnce
+   */
+  public static void tellAtOnce(
+      Services services, Caller caller, long order, MissionEvent.OperatorCommand command) {
+    new Orders(services).tellAtOnce(order, there -> canChange(caller, there), command);
   }
 }

@@ -43,7 +43,8 @@ public final class OrderPage extends PageHandler {
         new TaskCommandReader(Texts.of(request), errors)
             .readCancel(Caller.of(request), new FormFields(request, errors).text("load"));
     if (errors.isEmpty() && cancel.choice() != null) { // else it is asked first what is on board
-      tellAtOnce(request, cancel);
+      OrderAccess.tellAtOnce(
+          services(request), Caller.of(request), RequestPath.number(request, "id"), cancel);
     }
     Optional<OrderView> order = changeableOrder(request, response);
     if (order.isEmpty()) {
@@ -61,17 +62,9 @@ public final class OrderPage extends PageHandler {
   public static void hold(HttpServletRequest request, HttpServletResponse response)
       throws ServletException, IOException {
     MissionEvent.Hold hold = new MissionEvent.Hold(Caller.of(request).name());
-    tellAtOnce(request, hold);
+    OrderAccess.tellAtOnce(
+        services(request), Caller.of(request), RequestPath.number(request, "id"), hold);
     tell(request, response, (reader, fields, user) -> hold);
-  }
-
-  private static void tellAtOnce(HttpServletRequest request, MissionEvent.OperatorCommand command) {
-    Caller user = Caller.of(request);
-    new Orders(services(request))
-        .tellAtOnce(
-            RequestPath.number(request, "id"),
-            order -> OrderAccess.canChange(user, order),
-            command);
   }
 
   /** Legs that wait for the one before them go on waiting. */
